@@ -1,0 +1,89 @@
+#pragma once
+/// The frame packet: everything the host tells the image generator about one frame. Absolute state, no commands: the
+/// same packet gives the same picture whatever came before it (histories travel in a recording's first record).
+
+#include "database/model/rotation.h"
+#include "database/model/vectors.h"
+#include "database/model/visual_database.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace linkdig {
+
+/// One display channel: where it looks from and how.
+struct ChannelView {
+    bool on = true;
+    Vec3d eye_m{0};               ///< viewpoint, world
+    Attitude attitude;            ///< of the view: body x is the line of sight, body z is up on the screen
+    double left_tangent = -0.577; ///< frustum: tangents of the half-angles, right > left, top > bottom
+    double right_tangent = 0.577;
+    double bottom_tangent = -0.577;
+    double top_tangent = 0.577;
+};
+
+/// How the shading of the faces of a list is overridden for this frame.
+enum class ShadingMethod : std::uint8_t {
+    as_modelled,
+    no_smooth, ///< vertex-shaded faces are face-shaded instead (report, Figures 2, 8 and 9)
+};
+
+/// Per-list light, parallel to VisualDatabase::lists. An empty table means: as the database has it.
+struct ListLighting {
+    std::uint32_t list = 0; ///< index into VisualDatabase::lists
+    std::uint32_t sun = 0;  ///< row of FramePacket::suns
+    float ambient = 0;
+    float diffuse = 1;
+    std::int32_t colour = none; ///< colour code for every face of the list, or none: as modelled
+    ShadingMethod method = ShadingMethod::as_modelled;
+};
+
+/// Where a moving object is: index parallel to VisualDatabase::moving_objects.
+struct MovingObject {
+    bool visible = true;
+    Vec3d position_m{0};           ///< of the body frame's origin, world
+    Attitude attitude;             ///< of the body frame
+    Vec3d waterline_position_m{0}; ///< of the waterline frame: position without heave
+    double waterline_heading_rad = 0.0;
+};
+
+/// Which alternative of a substitution slot is in the active data base (report, 3.2.2).
+struct Substitution {
+    std::uint32_t slot = 0; ///< index into VisualDatabase::slots
+    std::uint32_t index = 0;
+};
+
+/// New vertex normals for a list (the report's first method, 3.1.4), from `first` on, in the list's frame.
+struct VertexNormalUpdate {
+    std::uint32_t list = 0;
+    std::uint32_t first = 0; ///< relative to the list's tile normals, or to its first vertex
+    std::vector<Vec3f> normals;
+};
+
+/// Parameters of the sea that generators at frame time may use; nothing from ig/geometry down reads them.
+struct SeaParameters {
+    float state = 0;            ///< report's sea state: 0, 1.5 ("1-2"), 3
+    float current_east_mps = 0;
+    float current_north_mps = 0;
+};
+
+struct FramePacket {
+    std::uint64_t frame = 0;
+    double time_s = 0.0;
+    std::uint64_t database_id = 0; ///< content hash of the compiled database; 0: do not check
+    std::vector<ChannelView> channels;
+    std::vector<Vec3f> suns; ///< unit vectors towards the sun, world, parallel to VisualDatabase::suns
+    std::vector<ListLighting> lighting;
+    std::vector<MovingObject> moving_objects;
+    std::vector<Substitution> substitutions;
+    std::vector<VertexNormalUpdate> normal_updates;
+    float lod_bias = 0.0F;
+    float visibility_m = 0.0F; ///< meteorological optical range; 0: unlimited
+    Vec3f sky{0.60F, 0.72F, 0.86F}; ///< colour where no face is, display-referred 0 to 1
+    float time_of_day_h = 12.0F;
+    SeaParameters sea;
+    std::uint64_t seed = 0;
+    bool discontinuity = false; ///< the viewpoint or the scene jumped: histories start anew
+};
+
+} // namespace linkdig
