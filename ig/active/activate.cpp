@@ -1,0 +1,97 @@
+#include "ig/active/activate.h"
+
+#include "ig/active/repeated_tile.h"
+
+#include <algorithm>
+
+namespace linkdig::ig {
+
+namespace {
+
+void place_clusters(const VisualDatabase& database, const FramePacket& packet, ActiveDatabase& active) {
+    active.poses.assign(database.clusters.size(), ClusterPose{});
+    for (std::size_t c = 0; c < database.clusters.size(); ++c) {
+        const std::int32_t moving = database.clusters[c].moving_object;
+        if (moving == none) continue;
+        const MovingObject& object = packet.moving_objects[static_cast<std::size_t>(moving)];
+        ClusterPose& pose = active.poses[c];
+        pose.visible = object.visible;
+        pose.world_from_body = world_from_body(object.attitude);
+        pose.body_origin_m = object.position_m;
+        pose.world_from_waterline = world_from_body({.heading_rad = object.waterline_heading_rad});
+        pose.waterline_origin_m = object.waterline_position_m;
+    }
+}
+
+void point_slots(const VisualDatabase& database, const FramePacket& packet, ActiveDatabase& active) {
+    active.slot_index.assign(database.slots.size(), 0);
+    for (const Substitution& substitution : packet.substitutions) {
+        active.slot_index[substitution.slot] = substitution.index;
+    }
+}
+
+void light(const VisualDatabase& database, const FramePacket& packet, std::uint32_t list, FaceBlock& block) {
+    const ObjectList& modelled = database.lists[list];
+    ListLighting lighting{
+        .list = list, .sun = modelled.sun, .ambient = modelled.ambient, .diffuse = modelled.diffuse};
+    for (const ListLighting& override_of_list : packet.lighting) {
+        if (override_of_list.list == list) lighting = override_of_list;
+    }
+    // The rotation's transpose takes the world's sun to the list's frame, so that modelled normals stay as
+    // they are.
+    block.sun = Vec3f(glm::transpose(block.world_from_list) * Vec3d(packet.suns[lighting.sun]));
+    block.ambient = lighting.ambient;
+    block.diffuse = lighting.diffuse;
+    block.colour = lighting.colour;
+    block.smooth = lighting.method != ShadingMethod::no_smooth;
+}
+
+void attach(const ObjectList& list, const ClusterPose& pose, FaceBlock& block) {
+    block.world_from_list = Mat3d(1.0);
+    block.origin_m = list.origin_m;
+    block.at_eye = list.attachment == Attachment::eye;
+    if (list.attachment == Attachment::body) {
+        block.world_from_list = pose.world_from_body;
+        block.origin_m = pose.body_origin_m + pose.world_from_body * list.origin_m;
+    } else if (list.attachment == Attachment::waterline) {
+        block.world_from_list = pose.world_from_waterline;
+        block.origin_m = pose.waterline_origin_m + pose.world_from_waterline * list.origin_m;
+    }
+}
+
+void point_at_database(const VisualDatabase& database, const ObjectList& list, FaceBlock& block) {
+    block.vertices = database.vertices;
+    block.corners = database.corners;
+    block.faces = database.faces;
+    block.runs = database.runs;
+    block.leaves = database.run_leaves;
+    block.root = list.root;
+}
+
+} // namespace
+
+void activate(const VisualDatabase& database, const FramePacket& packet, const Configuration& configuration,
+              ActiveDatabase& active) {
+    active.database = &database;
+    place_clusters(database, packet, active);
+    point_slots(database, packet, active);
+    active.blocks.clear();
+    clear_made_faces(active);
+    for (std::uint32_t l = 0; l < database.lists.size(); ++l) {
+        const ObjectList& list = database.lists[l];
+        const ClusterPose& pose = active.poses[list.cluster];
+        if (!pose.visible || (list.root == none && list.tile == none)) continue;
+        FaceBlock block{.list = l, .cluster = list.cluster, .number = list.number};
+        attach(list, pose, block);
+        light(database, packet, l, block);
+        point_at_database(database, list, block);
+        if (list.tile != none) {
+            make_tile_faces(database, database.tiles[static_cast<std::size_t>(list.tile)], packet,
+                            configuration, active, block);
+        }
+        active.blocks.push_back(block);
+    }
+    settle_made_faces(active);
+}
+
+} // namespace linkdig::ig

@@ -1,0 +1,67 @@
+#pragma once
+/// Output of the active data base: the faces that exist this frame, in blocks that share frame, light and
+/// priority.
+
+#include "database/model/visual_database.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace linkdig::ig {
+
+/// Faces of one object list as they are this frame. Spans point into the visual database, or into
+/// ActiveDatabase's own pools for faces that were made this frame; both outlive the frame.
+struct FaceBlock {
+    std::uint32_t list = 0;     ///< into VisualDatabase::lists
+    std::uint32_t cluster = 0;  ///< into VisualDatabase::clusters
+    std::int32_t number = 0;    ///< priority inside the cluster
+    Mat3d world_from_list{1.0}; ///< rotation
+    Vec3d origin_m{0};          ///< of the list's vertices, world (ignored if at_eye)
+    bool at_eye = false;        ///< the origin is the channel's own viewpoint
+    Vec3f sun{0, 0, 1};         ///< towards the list's sun, in the list's frame
+    float ambient = 0;
+    float diffuse = 1;
+    bool smooth = true;         ///< false: vertex-shaded faces are face-shaded this frame
+    std::int32_t colour = none; ///< overrides every face's colour code
+    std::span<const Vertex> vertices{};
+    std::span<const std::uint32_t> corners{}; ///< indices into vertices
+    std::span<const Face> faces{};            ///< first_corner indexes `corners`
+    std::span<const FaceRun> runs{};          ///< first_face indexes `faces`
+    std::span<const RunLeaf> leaves{};        ///< first_run indexes `runs`
+    std::int32_t root =
+        none; ///< of the list's plane tree: nodes in VisualDatabase::planes, leaves in `leaves`
+};
+
+/// A moving cluster's frames, this frame.
+struct ClusterPose {
+    bool visible = true;
+    Mat3d world_from_body{1.0};
+    Vec3d body_origin_m{0};
+    Mat3d world_from_waterline{1.0};
+    Vec3d waterline_origin_m{0};
+};
+
+/// What exists this frame. Shared by all channels.
+struct ActiveDatabase {
+    const VisualDatabase* database = nullptr;
+    std::vector<FaceBlock> blocks;
+    std::vector<ClusterPose> poses; ///< parallel to VisualDatabase::clusters
+    std::vector<std::uint32_t>
+        slot_index; ///< parallel to VisualDatabase::slots: the alternative that is present
+
+    /// Storage of the faces made this frame. Capacities persist from frame to frame.
+    std::vector<Vertex> made_vertices;
+    std::vector<std::uint32_t> made_corners;
+    std::vector<Face> made_faces;
+    std::vector<FaceRun> made_runs;
+    std::vector<RunLeaf> made_leaves;
+    std::vector<std::uint32_t> made_faces_of; ///< blocks whose faces were made this frame
+};
+
+/// Is this run in the active data base, given the slots' pointers?
+inline bool present(const FaceRun& run, std::span<const std::uint32_t> slot_index) {
+    return run.slot == none || slot_index[static_cast<std::size_t>(run.slot)] == run.alternative;
+}
+
+} // namespace linkdig::ig

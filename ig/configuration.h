@@ -1,0 +1,45 @@
+#pragma once
+/// What the machine is built as: two profiles, and the constants of its number formats.
+///
+/// Labels: S sourced, CK common knowledge, EST estimated (see docs/sources.md). An estimated figure is not history.
+
+#include <cstdint>
+
+namespace linkdig::ig {
+
+/// Which way the beam runs. A *line* runs along the scan, an *element* is a pixel on it.
+enum class Scan : std::uint8_t { horizontal, vertical };
+
+/// Raster of one channel. Width and height are those of the picture as a viewer sees it, in pixels, 1 to 4096.
+struct Raster {
+    std::uint32_t width = 1024;
+    std::uint32_t height = 1024;
+    Scan scan = Scan::horizontal;
+    std::uint32_t lines() const { return scan == Scan::horizontal ? height : width; }
+    std::uint32_t elements() const { return scan == Scan::horizontal ? width : height; }
+};
+
+struct Configuration {
+    const char* name = "modern";
+    Raster raster;
+    double update_rate_hz = 60.0;
+    /// Threads that draw bands; 0: as many as the machine has. The picture does not depend on it.
+    std::uint32_t threads = 0;
+};
+
+/// `modern`: horizontal scan, 60 Hz progressive, 1024 x 1024.
+inline Configuration modern_profile() { return {}; }
+
+/// `ames`: vertical scan (S: report, section 1.0); 30 Hz update (CK: norm of the time); raster size estimated (EST: it
+/// could not be established; a 4:3 picture of roughly a thousand lines of the period).
+inline Configuration ames_profile() {
+    return {.name = "ames", .raster = {.width = 768, .height = 576, .scan = Scan::vertical}, .update_rate_hz = 30.0};
+}
+
+/// Largest raster side, and so the bound of every fixed-point format below.
+inline constexpr std::uint32_t max_raster_side = 4096;
+
+/// Near plane, metres before the eye. Only this plane clips in 3D.
+inline constexpr double near_plane_m = 0.25;
+
+} // namespace linkdig::ig

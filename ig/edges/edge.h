@@ -1,0 +1,56 @@
+#pragma once
+/// Output of edges: for each face its crossings as a function of the line, and its intensity as a function of
+/// the pixel.
+
+#include <cstdint>
+#include <vector>
+
+namespace linkdig::ig {
+
+/// Fraction bits of a crossing. With coordinates of 1/256 pixel inside the guard band two different positions
+/// of a crossing against a pixel centre are at least 2^-32 pixel apart; 4096 steps of a slope rounded to
+/// 2^-48 err by less than 2^-36: the crossing decides every pixel as exact rational arithmetic would.
+inline constexpr int crossing_bits = 48;
+
+/// One edge of a face over the lines whose centres it spans. The crossing of line n, already turned into
+/// "first element whose centre is at or beyond it", is (start + (n - first_line) * slope) >> 48 -- modulo
+/// 2^64, which is exact because the true value fits. It is a pure function of the two snapped end points and
+/// the line.
+struct Edge {
+    std::int32_t first_line = 0; ///< first line of the raster whose centre it spans
+    std::int32_t end_line = 0;   ///< one past the last
+    std::int64_t start = 0;
+    std::int64_t slope = 0;
+};
+
+/// Intensity of a pixel: value + (element - reference_element) * along + (line - reference_line) * across,
+/// modulo 2^32, 1.0 = 2^22, then clamped to [least, greatest], the range of the face's own corners.
+struct IntensityPlane {
+    std::int32_t reference_line = 0;
+    std::int32_t reference_element = 0;
+    std::uint32_t value = 0;
+    std::uint32_t along = 0;
+    std::uint32_t across = 0;
+    std::int32_t least = 0;
+    std::int32_t greatest = 0;
+};
+
+/// A face ready for the scanline stage: leading edges first (where the face begins on a line), then trailing
+/// ones.
+struct EdgeFace {
+    std::uint32_t first_edge = 0; ///< into FaceEdges::edges
+    std::uint16_t leading = 0;
+    std::uint16_t trailing = 0;
+    std::int32_t first_line = 0; ///< lines it touches, within the raster
+    std::int32_t end_line = 0;
+    std::int32_t plane = -1; ///< into FaceEdges::planes, or -1: flat
+};
+
+/// Parallel to ProjectedFaces::faces.
+struct FaceEdges {
+    std::vector<EdgeFace> faces;
+    std::vector<Edge> edges;
+    std::vector<IntensityPlane> planes;
+};
+
+} // namespace linkdig::ig

@@ -1,0 +1,134 @@
+#include "ig/edges/edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace linkdig::ig {
+
+namespace {
+
+constexpr int fraction_bits = crossing_bits - 8; // coordinates are already in 1/256 pixel
+constexpr std::int64_t half_pixel = std::int64_t{1} << (crossing_bits - 1);
+/// A crossing exactly on a pixel centre belongs to that pixel: the quotients below are rounded down by less
+/// than 2^-36 pixel, different positions differ by at least 2^-32, so one minus this turns "floor" into an
+/// exact "ceiling".
+constexpr std::int64_t tie = std::int64_t{1} << (crossing_bits - 34);
+
+/// First line whose centre is at or below `coordinate` (1/256 pixel).
+std::int32_t first_line_at(std::int32_t coordinate) { return (coordinate + 127) >> 8; }
+
+struct Quotient {
+    std::int64_t whole = 0;
+    std::int64_t rest = 0; ///< 0 <= rest < divisor
+};
+
+Quotient floor_divide(std::int64_t dividend, std::int64_t divisor) {
+    Quotient q{dividend / divisor, dividend % divisor};
+    if (q.rest < 0) {
+        --q.whole;
+        q.rest += divisor;
+    }
+    return q;
+}
+
+/// dividend / divisor in units of 2^-40, rounded down. |dividend| < 2^49, 0 < divisor < 2^24.
+std::uint64_t fixed_quotient(std::int64_t dividend, std::int64_t divisor) {
+    const Quotient q = floor_divide(dividend, divisor);
+    const std::uint64_t fraction =
+        (static_cast<std::uint64_t>(q.rest) << fraction_bits) / static_cast<std::uint64_t>(divisor);
+    return (static_cast<std::uint64_t>(q.whole) << fraction_bits) + fraction;
+}
+
+/// The edge between two snapped points, upper one first: a pure function of the two points and the raster's
+/// height. False if it spans no line's centre.
+bool make_edge(const RasterPoint& upper, const RasterPoint& lower, std::int32_t lines, Edge& edge) {
+    edge.first_line = std::max(first_line_at(upper.line), 0);
+    edge.end_line = std::min(first_line_at(lower.line), lines);
+    if (edge.first_line >= edge.end_line) return false;
+    const std::int64_t height = lower.line - upper.line;
+    const std::int64_t width = static_cast<std::int64_t>(lower.element) - upper.element;
+    const std::int64_t down = (std::int64_t{edge.first_line} * 256 + 128) - upper.line;
+    const std::uint64_t crossing =
+        (static_cast<std::uint64_t>(std::int64_t{upper.element}) << fraction_bits) +
+        fixed_quotient(down * width, height);
+    edge.start = static_cast<std::int64_t>(crossing + static_cast<std::uint64_t>(half_pixel - tie));
+    edge.slope = edge.end_line - edge.first_line > 1
+                     ? static_cast<std::int64_t>(fixed_quotient(width * 256, height))
+                     : 0;
+    return true;
+}
+
+/// A value of an intensity plane as an integer of 2^-22, modulo 2^32. Beyond 2^62 only slivers of no width
+/// arrive; their pixels are clamped to the corners' range.
+std::uint32_t to_plane_units(double value) {
+    constexpr double bound = 4611686018427387904.0;
+    return static_cast<std::uint32_t>(
+        static_cast<std::int64_t>(std::floor(std::clamp(value, -bound, bound) + 0.5)));
+}
+
+/// The plane through the three corners. All products are exact in double (below 2^53) for snapped corners;
+/// each quotient is rounded once, by IEEE 754, the same everywhere.
+IntensityPlane make_plane(const IntensityTriangle& t, std::int32_t line, std::int32_t element) {
+    IntensityPlane plane{.reference_line = line, .reference_element = element};
+    const auto [least, greatest] = std::minmax({t.intensity[0], t.intensity[1], t.intensity[2]});
+    plane.least = least;
+    plane.greatest = greatest;
+    const double e1 = t.element[1] - t.element[0], e2 = t.element[2] - t.element[0];
+    const double l1 = t.line[1] - t.line[0], l2 = t.line[2] - t.line[0];
+    const double i1 = t.intensity[1] - t.intensity[0], i2 = t.intensity[2] - t.intensity[0];
+    const double area = e1 * l2 - e2 * l1;
+    if (area == 0.0) {
+        plane.value = static_cast<std::uint32_t>(t.intensity[0]);
+        return plane;
+    }
+    const double along = (i1 * l2 - i2 * l1) / area;
+    const double across = (e1 * i2 - e2 * i1) / area;
+    const double from_corner_e = element * 256.0 + 128.0 - t.element[0];
+    const double from_corner_l = line * 256.0 + 128.0 - t.line[0];
+    plane.value = to_plane_units(t.intensity[0] + along * from_corner_e + across * from_corner_l);
+    plane.along = to_plane_units(along * 256.0);
+    plane.across = to_plane_units(across * 256.0);
+    return plane;
+}
+
+} // namespace
+
+void make_edges(const ProjectedFaces& projected, const Raster& raster, FaceEdges& out) {
+    out.faces.clear();
+    out.edges.clear();
+    out.planes.clear();
+    const auto lines = static_cast<std::int32_t>(raster.lines());
+    const auto elements = static_cast<std::int32_t>(raster.elements());
+    for (const ProjectedFace& face : projected.faces) {
+        EdgeFace edge_face{.first_edge = static_cast<std::uint32_t>(out.edges.size()), .first_line = lines};
+        const RasterPoint* points = projected.points.data() + face.first_point;
+        // Of a polygon of positive area the edges that run up the lines begin it on a line, those that run
+        // down end it.
+        for (const bool leading : {true, false}) {
+            for (std::size_t k = 0; k < face.point_count; ++k) {
+                const RasterPoint& from = points[k];
+                const RasterPoint& to = points[k + 1 == face.point_count ? 0 : k + 1];
+                if (from.line == to.line || (to.line < from.line) != leading) continue;
+                Edge edge;
+                if (!make_edge(leading ? to : from, leading ? from : to, lines, edge)) continue;
+                out.edges.push_back(edge);
+                ++(leading ? edge_face.leading : edge_face.trailing);
+                edge_face.first_line = std::min(edge_face.first_line, edge.first_line);
+                edge_face.end_line = std::max(edge_face.end_line, edge.end_line);
+            }
+        }
+        if (face.triangle >= 0 && edge_face.leading > 0) {
+            std::int32_t element = 0;
+            for (std::uint32_t k = 0; k < edge_face.leading; ++k) {
+                const Edge& edge = out.edges[edge_face.first_edge + k];
+                if (edge.first_line == edge_face.first_line) element = first_element(edge, edge.first_line);
+            }
+            edge_face.plane = static_cast<std::int32_t>(out.planes.size());
+            out.planes.push_back(make_plane(projected.triangles[static_cast<std::size_t>(face.triangle)],
+                                            edge_face.first_line, std::clamp(element, 0, elements - 1)));
+        }
+        out.faces.push_back(edge_face);
+    }
+}
+
+} // namespace linkdig::ig

@@ -1,0 +1,29 @@
+#pragma once
+/// Stage 4, edges: crossings and intensity planes in fixed point. From here on there are only integers.
+
+#include "ig/configuration.h"
+#include "ig/edges/edge.h"
+#include "ig/geometry/projected_face.h"
+
+namespace linkdig::ig {
+
+void make_edges(const ProjectedFaces& projected, const Raster& raster, FaceEdges& edges);
+
+/// First element whose centre is at or beyond the edge's crossing of `line`; may lie outside the raster.
+inline std::int32_t first_element(const Edge& edge, std::int32_t line) {
+    const auto steps = static_cast<std::uint64_t>(line - edge.first_line);
+    const std::uint64_t crossing =
+        static_cast<std::uint64_t>(edge.start) + steps * static_cast<std::uint64_t>(edge.slope);
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(crossing) >> crossing_bits);
+}
+
+/// Intensity of a pixel, 1.0 = 2^22.
+inline std::int32_t intensity_at(const IntensityPlane& plane, std::int32_t line, std::int32_t element) {
+    const std::uint32_t value = plane.value +
+                                static_cast<std::uint32_t>(element - plane.reference_element) * plane.along +
+                                static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
+    const auto intensity = static_cast<std::int32_t>(value);
+    return intensity < plane.least ? plane.least : intensity > plane.greatest ? plane.greatest : intensity;
+}
+
+} // namespace linkdig::ig

@@ -1,0 +1,353 @@
+#include "ig/geometry/project.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace linkdig::ig {
+
+namespace {
+
+enum Outside : std::uint8_t { before_near = 1, left_of = 2, right_of = 4, below = 8, above = 16, guard = 32 };
+constexpr std::uint8_t frustum_sides = before_near | left_of | right_of | below | above;
+
+/// Clip planes stand a little inside the guard band, so that rounding stays within the format.
+constexpr double guard_limit = 256.0 * (guard_pixels - 512);
+
+/// A smooth-shaded triangle that reaches the near plane is cut into 4^2 before it is clipped: the screen's
+/// interpolation has no meaning across the eye, and small pieces bound what it gets wrong.
+constexpr int near_subdivisions = 2;
+
+/// z >= near_plane_m at w = 1; a direction (w = 0) must point at least a thousandth forward, so that it lands
+/// somewhere.
+constexpr double least_forward = 1e-3;
+constexpr ClipPlane near_plane{.c = 1.0, .e = least_forward - near_plane_m, .constant = -least_forward};
+
+double snap(double value) { return std::floor(value + 0.5); }
+
+class Projector {
+public:
+    Projector(const ActiveDatabase& active, const ChannelView& channel, const Raster& raster,
+              GeometryScratch& scratch, ProjectedFaces& projected)
+        : active_(active), view_(view_of(channel, raster)), scratch_(scratch), out_(projected),
+          last_line_(256 * static_cast<std::int32_t>(raster.lines())),
+          last_element_(256 * static_cast<std::int32_t>(raster.elements())) {
+        side_length_[0] = std::sqrt(1.0 + view_.left * view_.left);
+        side_length_[1] = std::sqrt(1.0 + view_.right * view_.right);
+        side_length_[2] = std::sqrt(1.0 + view_.bottom * view_.bottom);
+        side_length_[3] = std::sqrt(1.0 + view_.top * view_.top);
+    }
+
+    void run(const PriorityOrder& order) {
+        std::uint32_t entered = ~0U;
+        for (const RankedRun& ranked : order.runs) {
+            if (ranked.block != entered) enter(ranked.block);
+            entered = ranked.block;
+            const FaceRun& run = block_->runs[ranked.run];
+            out_.offered += run.face_count;
+            if (!in_sight(run)) continue;
+            for (std::uint32_t f = run.first_face; f < run.first_face + run.face_count; ++f)
+                put_face(f);
+        }
+    }
+
+private:
+    void enter(std::uint32_t block) {
+        block_index_ = block;
+        block_ = &active_.blocks[block];
+        if (scratch_.seen.size() < block_->vertices.size()) scratch_.seen.resize(block_->vertices.size());
+        if (++scratch_.stamp == 0) { // wrapped round: forget the old marks
+            for (SeenVertex& seen : scratch_.seen)
+                seen.stamp = 0;
+            scratch_.stamp = 1;
+        }
+        channel_from_list_ = view_.channel_from_world * block_->world_from_list;
+        origin_ = block_->at_eye ? Vec3d(0) : view_.channel_from_world * (block_->origin_m - view_.eye_m);
+    }
+
+    /// Bounding sphere against the frustum's planes.
+    bool in_sight(const FaceRun& run) const {
+        if (run.radius < 0.0F) return true;
+        const Vec3d c = channel_from_list_ * Vec3d(run.centre) + origin_;
+        const double r = static_cast<double>(run.radius);
+        return c.z + r >= near_plane_m && c.x - view_.left * c.z >= -r * side_length_[0] &&
+               view_.right * c.z - c.x >= -r * side_length_[1] &&
+               c.y - view_.bottom * c.z >= -r * side_length_[2] &&
+               view_.top * c.z - c.y >= -r * side_length_[3];
+    }
+
+    // ---- vertices
+    // ------------------------------------------------------------------------------------------------
+
+    SeenVertex& see(std::uint32_t index) {
+        SeenVertex& seen = scratch_.seen[index];
+        if (seen.stamp == scratch_.stamp) return seen;
+        seen.stamp = scratch_.stamp;
+        seen.lit = false;
+        const Vec4f& position = block_->vertices[index].position;
+        const Vec3d p = channel_from_list_ * Vec3d(position) + static_cast<double>(position.w) * origin_;
+        seen.point = {p.x, p.y, p.z, static_cast<double>(position.w), 0.0};
+        seen.outside = outside(seen.point);
+        if ((seen.outside & before_near) == 0) place(seen);
+        return seen;
+    }
+
+    std::uint8_t outside(const ClipPoint& p) const {
+        std::uint8_t sides = 0;
+        if (near_plane(p) < 0.0) sides |= before_near;
+        if (p.x < view_.left * p.z) sides |= left_of;
+        if (p.x > view_.right * p.z) sides |= right_of;
+        if (p.y < view_.bottom * p.z) sides |= below;
+        if (p.y > view_.top * p.z) sides |= above;
+        return sides;
+    }
+
+    /// Raster position of a point in front of the near plane, in 1/256 pixel.
+    void raster_position(const ClipPoint& p, double& line, double& element) const {
+        const double column = view_.x_scale * (p.x / p.z) + view_.x_offset;
+        const double row = view_.y_scale * (p.y / p.z) + view_.y_offset;
+        line = view_.vertical ? column : row;
+        element = view_.vertical ? row : column;
+    }
+
+    void place(SeenVertex& seen) const {
+        raster_position(seen.point, seen.line, seen.element);
+        if (std::fabs(seen.line) > guard_limit || std::fabs(seen.element) > guard_limit) {
+            seen.outside |= guard;
+            return;
+        }
+        seen.snapped = {static_cast<std::int32_t>(snap(seen.line)),
+                        static_cast<std::int32_t>(snap(seen.element))};
+    }
+
+    void light(SeenVertex& seen, std::uint32_t index) const {
+        if (seen.lit) return;
+        seen.lit = true;
+        seen.point.intensity = lit_intensity(*block_, block_->vertices[index].normal);
+    }
+
+    // ---- faces
+    // ---------------------------------------------------------------------------------------------------
+
+    void put_face(std::uint32_t f) {
+        const Face& face = block_->faces[f];
+        face_index_ = f;
+        two_sided_ = face.two_sided != 0;
+        colour_ = block_->colour == none ? face.colour : static_cast<std::uint16_t>(block_->colour);
+        const std::uint32_t* corners = block_->corners.data() + face.first_corner;
+        std::uint8_t all = 0xff;
+        for (std::uint32_t k = 0; k < face.corner_count; ++k)
+            all &= see(corners[k]).outside;
+        if ((all & frustum_sides) != 0) return;
+        if (face.shading == Shading::vertex && block_->smooth) {
+            put_smooth(corners, face.corner_count);
+        } else {
+            put_flat(corners, face.corner_count,
+                     face.shading == Shading::unshaded ? intensity_one : lit_intensity(*block_, face.normal));
+        }
+    }
+
+    void put_flat(const std::uint32_t* corners, std::uint32_t count, std::int32_t intensity) {
+        std::uint8_t any = 0;
+        for (std::uint32_t k = 0; k < count; ++k)
+            any |= see(corners[k]).outside;
+        if ((any & (before_near | guard)) == 0) {
+            const std::size_t first = out_.points.size();
+            for (std::uint32_t k = 0; k < count; ++k)
+                out_.points.push_back(see(corners[k]).snapped);
+            finish_polygon(first, -1, intensity);
+            return;
+        }
+        scratch_.polygon.clear();
+        for (std::uint32_t k = 0; k < count; ++k)
+            scratch_.polygon.push_back(see(corners[k]).point);
+        clip_near();
+        put_clipped_to_guard(-1, intensity);
+    }
+
+    void put_smooth(const std::uint32_t* corners, std::uint32_t count) {
+        bool level = true;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            light(see(corners[k]), corners[k]);
+            level = level && see(corners[k]).point.intensity == see(corners[0]).point.intensity;
+        }
+        if (level) {
+            put_flat(corners, count, static_cast<std::int32_t>(see(corners[0]).point.intensity));
+            return;
+        }
+        for (std::uint32_t k = 1; k + 1 < count; ++k)
+            put_triangle(corners[0], corners[k], corners[k + 1]);
+    }
+
+    void put_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        const SeenVertex* seen[3] = {&see(a), &see(b), &see(c)};
+        if ((seen[0]->outside & seen[1]->outside & seen[2]->outside & frustum_sides) != 0) return;
+        const std::uint8_t any = seen[0]->outside | seen[1]->outside | seen[2]->outside;
+        if ((any & before_near) != 0) {
+            put_subdivided({seen[0]->point, seen[1]->point, seen[2]->point}, near_subdivisions);
+            return;
+        }
+        IntensityTriangle triangle;
+        for (int k = 0; k < 3; ++k) {
+            const bool snapped = (seen[k]->outside & guard) == 0;
+            triangle.line[k] = snapped ? seen[k]->snapped.line : seen[k]->line;
+            triangle.element[k] = snapped ? seen[k]->snapped.element : seen[k]->element;
+            triangle.intensity[k] = static_cast<std::int32_t>(seen[k]->point.intensity);
+        }
+        if ((any & guard) == 0) {
+            const std::size_t first = out_.points.size();
+            for (const SeenVertex* vertex : seen)
+                out_.points.push_back(vertex->snapped);
+            finish_polygon(first, put(triangle), 0);
+            return;
+        }
+        scratch_.polygon.assign({seen[0]->point, seen[1]->point, seen[2]->point});
+        put_clipped_to_guard(put(triangle), 0);
+    }
+
+    std::int32_t put(const IntensityTriangle& triangle) {
+        out_.triangles.push_back(triangle);
+        return static_cast<std::int32_t>(out_.triangles.size() - 1);
+    }
+
+    // ---- faces that reach the near plane or the guard band
+    // -------------------------------------------------------
+
+    static ClipPoint middle(const ClipPoint& a, const ClipPoint& b) {
+        return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (a.z + b.z), 0.5 * (a.w + b.w),
+                0.5 * (a.intensity + b.intensity)};
+    }
+
+    void put_subdivided(const std::array<ClipPoint, 3>& t, int divisions) {
+        if (divisions == 0) {
+            put_clipped_to_near(t);
+            return;
+        }
+        const ClipPoint ab = middle(t[0], t[1]);
+        const ClipPoint bc = middle(t[1], t[2]);
+        const ClipPoint ca = middle(t[2], t[0]);
+        put_subdivided({t[0], ab, ca}, divisions - 1);
+        put_subdivided({ab, t[1], bc}, divisions - 1);
+        put_subdivided({ca, bc, t[2]}, divisions - 1);
+        put_subdivided({ab, bc, ca}, divisions - 1);
+    }
+
+    void clip_near() { clip(scratch_.polygon, near_plane, scratch_.spare); }
+
+    void put_clipped_to_near(const std::array<ClipPoint, 3>& t) {
+        scratch_.polygon.assign(t.begin(), t.end());
+        clip_near();
+        if (scratch_.polygon.size() < 3) return;
+        const std::vector<ClipPoint> pieces(scratch_.polygon); // few: near the eye only
+        for (std::size_t k = 1; k + 1 < pieces.size(); ++k) {
+            scratch_.polygon.assign({pieces[0], pieces[k], pieces[k + 1]});
+            IntensityTriangle triangle;
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const ClipPoint& p = scratch_.polygon[corner];
+                raster_position(p, triangle.line[corner], triangle.element[corner]);
+                if (std::fabs(triangle.line[corner]) <= guard_limit &&
+                    std::fabs(triangle.element[corner]) <= guard_limit) {
+                    triangle.line[corner] = snap(triangle.line[corner]);
+                    triangle.element[corner] = snap(triangle.element[corner]);
+                }
+                triangle.intensity[corner] = static_cast<std::int32_t>(snap(p.intensity));
+            }
+            put_clipped_to_guard(put(triangle), 0);
+        }
+    }
+
+    /// Clips scratch_.polygon, all of it in front of the near plane, to the guard band, and puts it out.
+    void put_clipped_to_guard(std::int32_t triangle, std::int32_t intensity) {
+        auto& polygon = scratch_.polygon;
+        // |scale * t + offset| <= limit for each raster axis, as planes through the eye.
+        clip(polygon, {.a = view_.x_scale, .c = view_.x_offset + guard_limit}, scratch_.spare);
+        clip(polygon, {.a = -view_.x_scale, .c = guard_limit - view_.x_offset}, scratch_.spare);
+        clip(polygon, {.b = view_.y_scale, .c = view_.y_offset + guard_limit}, scratch_.spare);
+        clip(polygon, {.b = -view_.y_scale, .c = guard_limit - view_.y_offset}, scratch_.spare);
+        if (polygon.size() < 3) return;
+        const std::size_t first = out_.points.size();
+        for (const ClipPoint& p : polygon) {
+            double line = 0;
+            double element = 0;
+            raster_position(p, line, element);
+            out_.points.push_back(
+                {static_cast<std::int32_t>(snap(line)), static_cast<std::int32_t>(snap(element))});
+        }
+        finish_polygon(first, triangle, intensity);
+    }
+
+    // ---- the end of every path
+    // -----------------------------------------------------------------------------------
+
+    /// Turns the points from `first` on into a face, or takes them back if it cannot be seen.
+    void finish_polygon(std::size_t first, std::int32_t triangle, std::int32_t intensity) {
+        const std::size_t count = out_.points.size() - first;
+        RasterPoint* points = out_.points.data() + first;
+        std::int64_t area = 0;
+        std::int32_t least_line = points[0].line, greatest_line = points[0].line;
+        std::int32_t least_element = points[0].element, greatest_element = points[0].element;
+        for (std::size_t k = 0; k < count; ++k) {
+            const RasterPoint& a = points[k];
+            const RasterPoint& b = points[k + 1 == count ? 0 : k + 1];
+            area +=
+                static_cast<std::int64_t>(a.element) * b.line - static_cast<std::int64_t>(b.element) * a.line;
+            least_line = std::min(least_line, a.line);
+            greatest_line = std::max(greatest_line, a.line);
+            least_element = std::min(least_element, a.element);
+            greatest_element = std::max(greatest_element, a.element);
+        }
+        // Counter-clockwise from the front is negative on a picture whose rows run down; swapped axes mirror
+        // it.
+        const bool front = view_.vertical ? area > 0 : area < 0;
+        const bool unseen = area == 0 || (!front && !two_sided_) || greatest_line <= 0 ||
+                            greatest_element <= 0 || least_line >= last_line_ ||
+                            least_element >= last_element_;
+        if (unseen) {
+            out_.points.resize(first);
+            return;
+        }
+        if (area < 0) std::reverse(points, points + count);
+        out_.faces.push_back({.first_point = static_cast<std::uint32_t>(first),
+                              .point_count = static_cast<std::uint16_t>(count),
+                              .colour = colour_,
+                              .triangle = triangle,
+                              .intensity = intensity,
+                              .block = block_index_,
+                              .face = face_index_});
+    }
+
+    const ActiveDatabase& active_;
+    View view_;
+    GeometryScratch& scratch_;
+    ProjectedFaces& out_;
+    std::int32_t last_line_;
+    std::int32_t last_element_;
+    double side_length_[4] = {1, 1, 1, 1};
+
+    const FaceBlock* block_ = nullptr;
+    std::uint32_t block_index_ = 0;
+    Mat3d channel_from_list_{1.0};
+    Vec3d origin_{0}; ///< of the list, channel frame
+    std::uint32_t face_index_ = 0;
+    std::uint16_t colour_ = 0;
+    bool two_sided_ = false;
+};
+
+} // namespace
+
+std::int32_t lit_intensity(const FaceBlock& block, const Vec3f& normal) {
+    const float cosine = normal.x * block.sun.x + normal.y * block.sun.y + normal.z * block.sun.z;
+    const float intensity = block.ambient + block.diffuse * std::max(0.0F, cosine);
+    return static_cast<std::int32_t>(std::clamp(intensity, 0.0F, 1.0F) * static_cast<float>(intensity_one) +
+                                     0.5F);
+}
+
+void project(const ActiveDatabase& active, const PriorityOrder& order, const ChannelView& channel,
+             const Raster& raster, GeometryScratch& scratch, ProjectedFaces& projected) {
+    projected.faces.clear();
+    projected.points.clear();
+    projected.triangles.clear();
+    projected.offered = 0;
+    Projector(active, channel, raster, scratch, projected).run(order);
+}
+
+} // namespace linkdig::ig

@@ -1,0 +1,44 @@
+#pragma once
+/// Stage 3, geometry: transform, light by the list's own sun, cut into triangles, clip, project, snap.
+///
+/// Order matters (report, Appendix I; docs/frame-in-detail.md): smooth-shaded faces are cut into triangles
+/// before any clipping, and a triangle keeps the intensities of its own unclipped corners. Only the near
+/// plane clips in 3D; beyond the sides of the picture only the guard band does, which leaves edges on their
+/// lines.
+
+#include "ig/active/face_block.h"
+#include "ig/configuration.h"
+#include "ig/geometry/clip.h"
+#include "ig/geometry/projected_face.h"
+#include "ig/geometry/view.h"
+#include "ig/priority/ranked_run.h"
+
+namespace linkdig::ig {
+
+/// A vertex as the channel sees it, computed once per block.
+struct SeenVertex {
+    ClipPoint point;
+    double line = 0, element = 0; ///< 1/256 pixel, unsnapped; meaningful in front of the near plane
+    RasterPoint snapped;          ///< meaningful inside the guard band
+    std::uint32_t stamp = 0;      ///< block visit it was computed for
+    std::uint8_t outside =
+        0;            ///< bit 0 before the near plane, 1 left, 2 right, 3 below, 4 above, 5 guard band
+    bool lit = false; ///< point.intensity is there
+};
+
+struct GeometryScratch {
+    std::vector<SeenVertex> seen;
+    std::uint32_t stamp = 0;
+    std::vector<ClipPoint> polygon;
+    std::vector<ClipPoint> spare;
+};
+
+/// Projects the present faces in priority order. The result's order is the rank.
+void project(const ActiveDatabase& active, const PriorityOrder& order, const ChannelView& channel,
+             const Raster& raster, GeometryScratch& scratch, ProjectedFaces& projected);
+
+/// Intensity of a normal under a block's light: ambient + diffuse * max(0, n.s), clamped to [0, 1], 1.0 =
+/// 2^22.
+std::int32_t lit_intensity(const FaceBlock& block, const Vec3f& normal);
+
+} // namespace linkdig::ig

@@ -1,0 +1,55 @@
+#pragma once
+/// Output of geometry: faces on the channel's raster, in rank order, snapped to fixed point.
+///
+/// Formats (bounds in docs/conventions-and-limits.md):
+///   coordinate  1/256 pixel, |c| <= 32768 px (guard band): 24 bits and sign
+///   intensity   1.0 = 2^22, 0 to 1.0
+
+#include "database/model/vectors.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace linkdig::ig {
+
+inline constexpr std::int32_t subpixels = 256;
+inline constexpr std::int32_t guard_pixels = 32768;
+inline constexpr std::int32_t intensity_one = 1 << 22;
+
+/// A snapped vertex: where along the lines' axis, where along the elements' axis, in 1/256 pixel. Pixel
+/// (line, element) has its centre at (line + 1/2, element + 1/2).
+struct RasterPoint {
+    std::int32_t line = 0;
+    std::int32_t element = 0;
+    bool operator==(const RasterPoint&) const = default;
+};
+
+/// The corners that define a face's intensity on the screen: the triangle before clipping. Doubles hold
+/// snapped values where the corner lies in the guard band, unsnapped ones (at most 1e12 px) where it does
+/// not.
+struct IntensityTriangle {
+    double line[3] = {0, 0, 0};    ///< 1/256 pixel
+    double element[3] = {0, 0, 0}; ///< 1/256 pixel
+    std::int32_t intensity[3] = {0, 0, 0};
+};
+
+/// One convex polygon on the raster. Corners run so that its signed area is positive in (element, line)
+/// coordinates with line down.
+struct ProjectedFace {
+    std::uint32_t first_point = 0; ///< into ProjectedFaces::points
+    std::uint16_t point_count = 0;
+    std::uint16_t colour = 0;
+    std::int32_t triangle = -1;             ///< into ProjectedFaces::triangles, or -1: flat
+    std::int32_t intensity = intensity_one; ///< of a flat face
+    std::uint32_t block = 0;                ///< into ActiveDatabase::blocks
+    std::uint32_t face = 0;                 ///< into that block's faces
+};
+
+struct ProjectedFaces {
+    std::vector<ProjectedFace> faces; ///< ascending rank: the index is the rank on this channel
+    std::vector<RasterPoint> points;
+    std::vector<IntensityTriangle> triangles;
+    std::uint64_t offered = 0; ///< faces looked at
+};
+
+} // namespace linkdig::ig

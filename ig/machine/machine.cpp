@@ -1,0 +1,211 @@
+#include "ig/machine/machine.h"
+
+#include "host/packet/check_packet.h"
+#include "ig/active/activate.h"
+#include "ig/edges/edges.h"
+#include "ig/geometry/project.h"
+#include "ig/priority/prioritise.h"
+#include "ig/scanline/bands.h"
+#include "ig/scanline/scanline.h"
+#include "ig/video/video.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+namespace linkdig::ig {
+
+namespace {
+
+/// What one thread needs to draw a band.
+struct BandWorker {
+    BandScratch scratch;
+    BandSegments segments;
+};
+
+/// What a band reports; summed in band order, so that counts do not depend on threads.
+struct BandCounts {
+    std::uint64_t segments = 0;
+    std::uint64_t most_on_a_line = 0;
+};
+
+/// One channel's stages, in order, and what passes between them.
+struct Channel {
+    PriorityScratch priority_scratch;
+    PriorityOrder order;
+    GeometryScratch geometry_scratch;
+    ProjectedFaces projected;
+    FaceEdges edges;
+    Bands bands;
+    std::vector<BandCounts> counts;
+    VideoFrame picture;
+};
+
+std::uint32_t threads_of(const Configuration& configuration) {
+    return configuration.threads != 0 ? configuration.threads
+                                      : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void check(const Configuration& configuration) {
+    const Raster& raster = configuration.raster;
+    if (raster.width < 1 || raster.height < 1 || raster.width > max_raster_side ||
+        raster.height > max_raster_side) {
+        throw std::invalid_argument("raster is " + std::to_string(raster.width) + " x " +
+                                    std::to_string(raster.height) +
+                                    " pixels; expected 1 to 4096 on each side");
+    }
+    if (configuration.threads > 256) {
+        throw std::invalid_argument("threads is " + std::to_string(configuration.threads) +
+                                    "; expected 0 to 256");
+    }
+}
+
+PacketLimits limits_of(const VisualDatabase& database) {
+    PacketLimits limits;
+    limits.suns = database.suns.size();
+    limits.moving_objects = database.moving_objects.size();
+    limits.lists = database.lists.size();
+    limits.colours = database.colours.size();
+    for (const SubstitutionSlot& slot : database.slots)
+        limits.alternatives.push_back(slot.alternatives);
+    return limits;
+}
+
+Colour background_of(const FramePacket& packet) {
+    const auto level = [](float value) {
+        return static_cast<std::uint8_t>(std::floor(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
+    };
+    return {level(packet.sky.x), level(packet.sky.y), level(packet.sky.z)};
+}
+
+BandCounts count(const BandSegments& band) {
+    BandCounts counts{.segments = band.segments.size()};
+    std::uint64_t on_line[band_lines] = {};
+    for (const Segment& segment : band.segments) {
+        counts.most_on_a_line = std::max(counts.most_on_a_line, ++on_line[segment.line - band.first_line]);
+    }
+    return counts;
+}
+
+} // namespace
+
+struct Machine::State {
+    State(const VisualDatabase& visual_database, const Configuration& built_as)
+        : database(visual_database), configuration(built_as), limits(limits_of(visual_database)),
+          arena(static_cast<int>(threads_of(built_as))), workers(threads_of(built_as)) {}
+
+    const VisualDatabase& database;
+    Configuration configuration;
+    PacketLimits limits;
+    tbb::task_arena arena;
+    std::vector<BandWorker> workers; ///< one per thread of the arena
+    ActiveDatabase active;
+    std::vector<Channel> channels;
+    FrameReport report;
+    bool intensity_plane = false;
+    bool rank_plane = false;
+
+    /// The block diagram.
+    void draw(const FramePacket& packet) {
+        activate(database, packet, configuration, active);
+        channels.resize(packet.channels.size());
+        report.channels.assign(packet.channels.size(), {});
+        for (std::size_t c = 0; c < packet.channels.size(); ++c) {
+            if (packet.channels[c].on) draw(packet, packet.channels[c], channels[c], report.channels[c]);
+        }
+    }
+
+    void draw(const FramePacket& packet, const ChannelView& view, Channel& channel, ChannelReport& counts) {
+        const Raster& raster = configuration.raster;
+        prioritise(active, view, channel.priority_scratch, channel.order);
+        project(active, channel.order, view, raster, channel.geometry_scratch, channel.projected);
+        make_edges(channel.projected, raster, channel.edges);
+        sort_into_bands(channel.edges, raster.lines(), channel.bands);
+        open_frame(raster, intensity_plane, rank_plane, channel.picture);
+        draw_bands(packet, channel);
+        tell(channel, counts);
+    }
+
+    void draw_bands(const FramePacket& packet, Channel& channel) {
+        const Raster& raster = configuration.raster;
+        const VideoInput input{&channel.projected, &channel.edges, database.colours, background_of(packet)};
+        const std::uint32_t bands = band_count(raster.lines());
+        channel.counts.assign(bands, {});
+        const auto draw_one = [&](std::uint32_t band, BandWorker& worker) {
+            worker.segments.first_line = band * band_lines;
+            worker.segments.end_line = std::min((band + 1) * band_lines, raster.lines());
+            resolve_band(channel.edges, channel.bands.of(band), raster.elements(), worker.scratch,
+                         worker.segments);
+            draw_band(input, raster, worker.segments, channel.picture);
+            channel.counts[band] = count(worker.segments);
+        };
+        if (workers.size() == 1) {
+            for (std::uint32_t band = 0; band < bands; ++band)
+                draw_one(band, workers[0]);
+            return;
+        }
+        arena.execute([&] {
+            tbb::parallel_for(0U, bands, [&](std::uint32_t band) {
+                draw_one(band,
+                         workers[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())]);
+            });
+        });
+    }
+
+    static void tell(const Channel& channel, ChannelReport& counts) {
+        counts.faces_active = channel.projected.offered;
+        counts.faces_projected = channel.projected.faces.size();
+        counts.edges = channel.edges.edges.size();
+        counts.ambiguous_priorities = channel.order.ambiguous;
+        for (const BandCounts& band : channel.counts) {
+            counts.segments += band.segments;
+            counts.most_segments_on_a_line = std::max(counts.most_segments_on_a_line, band.most_on_a_line);
+        }
+    }
+};
+
+Machine::Machine(const VisualDatabase& database, const Configuration& configuration) {
+    check(configuration);
+    state_ = std::make_unique<State>(database, configuration);
+}
+
+Machine::~Machine() = default;
+
+const FrameReport& Machine::frame(const FramePacket& packet) {
+    FrameReport& report = state_->report;
+    report.frame = packet.frame;
+    report.errors.clear();
+    const std::string refusal = check_packet(packet, state_->limits);
+    if (refusal.empty()) {
+        state_->draw(packet);
+    } else {
+        report.errors.push_back(refusal);
+    }
+    return report;
+}
+
+const VideoFrame& Machine::picture(std::size_t channel) const {
+    static const VideoFrame no_picture;
+    return channel < state_->channels.size() ? state_->channels[channel].picture : no_picture;
+}
+
+void Machine::draw_planes(bool intensity, bool rank) {
+    state_->intensity_plane = intensity;
+    state_->rank_plane = rank;
+}
+
+Machine::Source Machine::source(std::size_t channel, std::int32_t rank) const {
+    if (channel >= state_->channels.size() || rank < 0) return {};
+    const auto& faces = state_->channels[channel].projected.faces;
+    if (static_cast<std::size_t>(rank) >= faces.size()) return {};
+    const ProjectedFace& projected = faces[static_cast<std::size_t>(rank)];
+    const FaceBlock& block = state_->active.blocks[projected.block];
+    const Face& face = block.faces[projected.face];
+    return {.list = block.list, .object = face.object, .face = &face};
+}
+
+} // namespace linkdig::ig

@@ -1,0 +1,46 @@
+#pragma once
+/// The image generator as one block: a packet in, pictures and a report out.
+
+#include "host/packet/link.h"
+#include "ig/configuration.h"
+#include "ig/video/line.h"
+
+#include <memory>
+
+namespace linkdig::ig {
+
+class Machine final : public Link {
+public:
+    /// The database must outlive the machine. Throws std::invalid_argument if the configuration is out of
+    /// bounds.
+    Machine(const VisualDatabase& database, const Configuration& configuration);
+    ~Machine() override;
+    Machine(const Machine&) = delete;
+    Machine& operator=(const Machine&) = delete;
+
+    /// Draws every channel of the packet. A packet that cannot be drawn (not finite, tables of the wrong
+    /// length, indices out of range) is refused: the report's `errors` say why, and the pictures stay as they
+    /// were.
+    const FrameReport& frame(const FramePacket& packet) override;
+
+    /// The picture of a channel of the last frame; valid until the next call of frame(). An empty frame if
+    /// the channel is off or was never drawn.
+    const VideoFrame& picture(std::size_t channel) const;
+
+    /// Draw these planes beside the colour from the next frame on.
+    void draw_planes(bool intensity, bool rank);
+
+    /// List, object and face of a rank on a channel of the last frame.
+    struct Source {
+        std::uint32_t list = 0;
+        std::uint32_t object = 0;
+        const Face* face = nullptr;
+    };
+    Source source(std::size_t channel, std::int32_t rank) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace linkdig::ig
