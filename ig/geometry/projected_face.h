@@ -2,7 +2,9 @@
 /// Output of geometry: faces on the channel's raster, in rank order, snapped to fixed point.
 ///
 /// Formats (bounds in docs/conventions-and-limits.md):
-///   coordinate  1/256 pixel, |c| <= 32768 px (guard band): 24 bits and sign
+///   coordinate  1/256 pixel, |c| <= 32767 px (inside the guard band): 23 bits and sign; a crossing half a
+///   pixel
+///               beyond must stay below 2^15 px, or it wraps (ig/edges/edge.h)
 ///   intensity   1.0 = 2^22, 0 to 1.0
 
 #include "database/model/vectors.h"

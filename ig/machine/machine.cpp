@@ -25,6 +25,7 @@ namespace {
 struct BandWorker {
     BandScratch scratch;
     BandSegments segments;
+    VideoScratch video;
 };
 
 /// What a band reports; summed in band order, so that counts do not depend on threads.
@@ -140,7 +141,7 @@ struct Machine::State {
             worker.segments.end_line = std::min((band + 1) * band_lines, raster.lines());
             resolve_band(channel.edges, channel.bands.of(band), raster.elements(), worker.scratch,
                          worker.segments);
-            draw_band(input, raster, worker.segments, channel.picture);
+            draw_band(input, raster, worker.segments, worker.video, channel.picture);
             channel.counts[band] = count(worker.segments);
         };
         if (workers.size() == 1) {

@@ -8,46 +8,62 @@ namespace linkdig::ig {
 
 namespace {
 
-/// Where the elements of a line stand in the picture: consecutive on a horizontal scan, a row apart on a
+/// Where the elements of a line stand in a plane of the picture: a row on a horizontal scan, a column on a
 /// vertical one.
-struct Beam {
-    std::size_t start = 0;
-    std::size_t step = 1;
-};
-
-Beam beam_of(const Raster& raster, const Segment& segment) {
-    if (raster.scan == Scan::horizontal) return {std::size_t{segment.line} * raster.width + segment.first, 1};
-    return {std::size_t{segment.first} * raster.width + segment.line, raster.width};
-}
-
 template <typename Value>
-void fill(std::vector<Value>& plane, const Beam& beam, std::uint32_t count, Value value) {
+void fill_plane(const Raster& raster, const Segment& segment, Value value, std::vector<Value>& plane) {
     if (plane.empty()) return;
-    Value* at = plane.data() + beam.start;
-    if (beam.step == 1) {
-        std::fill_n(at, count, value);
-        return;
-    }
-    for (std::uint32_t k = 0; k < count; ++k, at += beam.step)
-        *at = value;
+    const bool horizontal = raster.scan == Scan::horizontal;
+    const std::size_t start = horizontal ? std::size_t{segment.line} * raster.width + segment.first
+                                         : std::size_t{segment.first} * raster.width + segment.line;
+    const std::size_t step = horizontal ? 1 : raster.width;
+    for (std::size_t k = 0; k < segment.count; ++k)
+        plane[start + k * step] = value;
 }
 
-/// Intensities run in modulo 2^32 and are clamped to the corners' range, where they are 0 to 2^22.
-void draw_smooth(const IntensityPlane& plane, Colour colour, const Segment& segment, const Beam& beam,
-                 VideoFrame& frame) {
-    std::uint32_t value = plane.value +
-                          static_cast<std::uint32_t>(segment.first - plane.reference_element) * plane.along +
-                          static_cast<std::uint32_t>(segment.line - plane.reference_line) * plane.across;
-    std::uint32_t* at = frame.pixels.data() + beam.start;
-    for (std::uint32_t k = 0; k < segment.count; ++k, at += beam.step, value += plane.along) {
-        *at = shade(colour, std::clamp(static_cast<std::int32_t>(value), plane.least, plane.greatest));
-    }
+void plane_intensities(const Raster& raster, const IntensityPlane& plane, const Segment& segment,
+                       VideoFrame& frame) {
     if (frame.intensity.empty()) return;
-    std::int32_t* intensity = frame.intensity.data() + beam.start;
-    for (std::uint32_t k = 0; k < segment.count; ++k, intensity += beam.step) {
-        *intensity = intensity_at(plane, segment.line, static_cast<std::int32_t>(segment.first + k));
+    for (std::uint32_t k = 0; k < segment.count; ++k) {
+        Segment one = segment;
+        one.first = static_cast<std::uint16_t>(segment.first + k);
+        one.count = 1;
+        fill_plane(raster, one, intensity_at(plane, segment.line, one.first), frame.intensity);
     }
 }
+
+/// The band's lines, element after element: the picture's own rows on a horizontal scan.
+class BeamBuffer {
+public:
+    BeamBuffer(const Raster& raster, const BandSegments& band, VideoScratch& scratch, VideoFrame& frame)
+        : vertical_(raster.scan == Scan::vertical), length_(raster.elements()), first_line_(band.first_line),
+          lines_(band.end_line - band.first_line), frame_(frame) {
+        if (vertical_) scratch.lines.resize(std::size_t{band_lines} * length_);
+        start_ = vertical_ ? scratch.lines.data() : frame.pixels.data() + std::size_t{first_line_} * length_;
+    }
+
+    std::uint32_t* at(const Segment& segment) const {
+        return start_ + std::size_t{segment.line - first_line_} * length_ + segment.first;
+    }
+
+    /// Lines that are columns go into the picture a row of the band at a time.
+    void finish() const {
+        if (!vertical_) return;
+        for (std::uint32_t row = 0; row < length_; ++row) {
+            std::uint32_t* out = frame_.pixels.data() + std::size_t{row} * frame_.width + first_line_;
+            for (std::uint32_t line = 0; line < lines_; ++line)
+                out[line] = start_[std::size_t{line} * length_ + row];
+        }
+    }
+
+private:
+    bool vertical_;
+    std::uint32_t length_;
+    std::uint32_t first_line_;
+    std::uint32_t lines_;
+    VideoFrame& frame_;
+    std::uint32_t* start_ = nullptr;
+};
 
 } // namespace
 
@@ -60,26 +76,29 @@ void open_frame(const Raster& raster, bool intensity, bool rank, VideoFrame& fra
     frame.rank.resize(rank ? size : 0);
 }
 
-void draw_band(const VideoInput& input, const Raster& raster, const BandSegments& band, VideoFrame& frame) {
+void draw_band(const VideoInput& input, const Raster& raster, const BandSegments& band, VideoScratch& scratch,
+               VideoFrame& frame) {
+    const BeamBuffer beam(raster, band, scratch, frame);
     for (const Segment& segment : band.segments) {
         const ProjectedFace& face = input.projected->faces[segment.face];
         const Colour colour = input.colours[face.colour];
-        const Beam beam = beam_of(raster, segment);
         const std::int32_t plane = input.edges->faces[segment.face].plane;
         if (plane >= 0) {
-            draw_smooth(input.edges->planes[static_cast<std::size_t>(plane)], colour, segment, beam, frame);
+            const IntensityPlane& intensity = input.edges->planes[static_cast<std::size_t>(plane)];
+            shade_run(intensity, colour, segment.line, segment.first, segment.count, beam.at(segment));
+            plane_intensities(raster, intensity, segment, frame);
         } else {
-            fill(frame.pixels, beam, segment.count, shade(colour, face.intensity));
-            fill(frame.intensity, beam, segment.count, face.intensity);
+            std::fill_n(beam.at(segment), segment.count, shade(colour, face.intensity));
+            fill_plane(raster, segment, face.intensity, frame.intensity);
         }
-        fill(frame.rank, beam, segment.count, static_cast<std::int32_t>(segment.face));
+        fill_plane(raster, segment, static_cast<std::int32_t>(segment.face), frame.rank);
     }
     for (const Segment& segment : band.background) {
-        const Beam beam = beam_of(raster, segment);
-        fill(frame.pixels, beam, segment.count, shade(input.background, intensity_one));
-        fill(frame.intensity, beam, segment.count, std::int32_t{none});
-        fill(frame.rank, beam, segment.count, std::int32_t{none});
+        std::fill_n(beam.at(segment), segment.count, shade(input.background, intensity_one));
+        fill_plane(raster, segment, std::int32_t{none}, frame.intensity);
+        fill_plane(raster, segment, std::int32_t{none}, frame.rank);
     }
+    beam.finish();
 }
 
 } // namespace linkdig::ig

@@ -7,6 +7,7 @@
 #include "ig/geometry/projected_face.h"
 #include "ig/scanline/segment.h"
 #include "ig/video/line.h"
+#include "ig/video/pixel_run.h"
 
 #include <span>
 
@@ -20,20 +21,18 @@ struct VideoInput {
     Colour background;
 };
 
-/// A colour code at an intensity (1.0 = 2^22): each component x intensity, rounded to the nearest level.
-inline std::uint32_t shade(Colour colour, std::int32_t intensity) {
-    const auto i = static_cast<std::uint32_t>(intensity);
-    constexpr std::uint32_t half = 1U << 21U;
-    return ((colour.red * i + half) >> 22U) | ((colour.green * i + half) >> 22U) << 8U |
-           ((colour.blue * i + half) >> 22U) << 16U | 0xff000000U;
-}
-
 /// Sizes the frame; planes that are wanted are sized, others emptied. Contents are undefined until every band
 /// is drawn.
 void open_frame(const Raster& raster, bool intensity, bool rank, VideoFrame& frame);
 
-/// Draws one band. Bands of one frame may be drawn at the same time.
+/// Working storage of one thread: a band of a vertical scan, line by line, before it is turned into the
+/// picture's rows.
+struct VideoScratch {
+    std::vector<std::uint32_t> lines;
+};
+
+/// Draws one band. Bands of one frame may be drawn at the same time, each thread with its own scratch.
 void draw_band(const VideoInput& input, const Raster& raster, const BandSegments& segments,
-               VideoFrame& frame);
+               VideoScratch& scratch, VideoFrame& frame);
 
 } // namespace linkdig::ig
