@@ -1,0 +1,236 @@
+#include "database/compiler/assemble.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace linkdig::database {
+
+void Box::add(const Vec3d& point) {
+    low = any ? glm::min(low, point) : point;
+    high = any ? glm::max(high, point) : point;
+    any = true;
+}
+
+namespace {
+
+std::int32_t moved(std::int32_t reference, std::size_t first_node, std::size_t first_leaf) {
+    if (reference == none) return none;
+    if (is_leaf(reference))
+        return leaf_reference(static_cast<std::uint32_t>(first_leaf) + leaf_index(reference));
+    return reference + static_cast<std::int32_t>(first_node);
+}
+
+/// Bounding sphere of a run: about the middle of its box, rounded outward.
+void bound_run(const std::vector<OrderFace>& leaf, std::size_t first, std::size_t end, FaceRun& run) {
+    Box box;
+    bool infinite = false;
+    for (std::size_t i = first; i < end; ++i)
+        for (const OrderCorner& corner : leaf[i].corners) {
+            infinite = infinite || corner.position.w == 0;
+            if (corner.position.w != 0) box.add(Vec3d(corner.position));
+        }
+    run.centre = Vec3f(0.5 * (box.low + box.high));
+    double radius = 0;
+    for (std::size_t i = first; i < end; ++i)
+        for (const OrderCorner& corner : leaf[i].corners)
+            if (corner.position.w != 0)
+                radius = std::max(radius, glm::distance(Vec3d(run.centre), Vec3d(corner.position)));
+    run.radius =
+        infinite ? -1.0F
+                 : std::nextafter(static_cast<float>(radius * (1 + 1e-7)), std::numeric_limits<float>::max());
+}
+
+class ListAssembler {
+public:
+    ListAssembler(const Assembly& parts, VisualDatabase& database) : parts_(parts), database_(database) {}
+
+    ListStatistics add(std::uint32_t list, const std::vector<std::uint32_t>& object_numbers) {
+        const OrderedList& ordered = parts_.lists[list];
+        const std::size_t first_node = database_.planes.size();
+        const std::size_t first_leaf = database_.run_leaves.size();
+        first_vertex_ = database_.vertices.size();
+        statistics_ = {};
+        statistics_.name = parts_.registry.lists[list].list.name;
+        for (PlaneNode node : ordered.order.nodes) {
+            node.front = moved(node.front, first_node, first_leaf);
+            node.on = moved(node.on, first_node, first_leaf);
+            node.back = moved(node.back, first_node, first_leaf);
+            database_.planes.push_back(node);
+        }
+        for (const std::vector<OrderFace>& leaf : ordered.order.leaves)
+            add_leaf(leaf, ordered, object_numbers);
+        database_.lists[list].root = moved(ordered.order.root, first_node, first_leaf);
+        statistics_.planes = static_cast<std::uint32_t>(ordered.order.nodes.size());
+        statistics_.splits = ordered.order.splits;
+        statistics_.vertices = static_cast<std::uint32_t>(database_.vertices.size() - first_vertex_);
+        statistics_.edges = static_cast<std::uint32_t>(edges_.size());
+        count_at_once();
+        return statistics_;
+    }
+
+private:
+    void add_leaf(const std::vector<OrderFace>& leaf, const OrderedList& ordered,
+                  const std::vector<std::uint32_t>& object_numbers) {
+        RunLeaf made{static_cast<std::uint32_t>(database_.runs.size()), 0};
+        for (std::size_t first = 0; first < leaf.size();) {
+            std::size_t end = first;
+            while (end < leaf.size() && leaf[end].slot == leaf[first].slot &&
+                   leaf[end].alternative == leaf[first].alternative)
+                ++end;
+            FaceRun run;
+            run.first_face = static_cast<std::uint32_t>(database_.faces.size());
+            run.face_count = static_cast<std::uint32_t>(end - first);
+            run.slot = leaf[first].slot;
+            run.alternative = leaf[first].alternative;
+            bound_run(leaf, first, end, run);
+            for (std::size_t i = first; i < end; ++i)
+                add_face(leaf[i], ordered.sources[leaf[i].source], object_numbers);
+            database_.runs.push_back(run);
+            present_[{run.slot, run.alternative}] += run.face_count;
+            ++made.run_count;
+            ++statistics_.runs;
+            first = end;
+        }
+        database_.run_leaves.push_back(made);
+    }
+
+    void add_face(const OrderFace& ordered, const FaceSource& source,
+                  const std::vector<std::uint32_t>& object_numbers) {
+        const ModelFace& model = parts_.objects[source.object].faces[source.face];
+        Face face;
+        face.first_corner = static_cast<std::uint32_t>(database_.corners.size());
+        face.corner_count = static_cast<std::uint16_t>(ordered.corners.size());
+        face.colour = model.style.colour.value_or(0);
+        face.object = object_numbers[source.object];
+        face.normal = Vec3f(model.plane.normal);
+        face.shading = model.style.shading;
+        face.two_sided = model.style.two_sided ? 1 : 0;
+        face.file = model.at.file;
+        face.line = model.at.line;
+        database_.faces.push_back(face);
+        ++statistics_.faces;
+        for (const OrderCorner& corner : ordered.corners)
+            database_.corners.push_back(vertex(corner));
+        for (std::size_t i = 0; i < ordered.corners.size(); ++i)
+            edges_.insert(std::minmax(ordered.corners[i].point,
+                                      ordered.corners[(i + 1) % ordered.corners.size()].point));
+    }
+
+    std::uint32_t vertex(const OrderCorner& corner) {
+        const Vertex made{Vec4f(corner.position), Vec3f(corner.normal)};
+        const auto key = std::make_tuple(corner.point, made.normal.x, made.normal.y, made.normal.z);
+        const auto [found, is_new] =
+            vertices_.emplace(key, static_cast<std::uint32_t>(database_.vertices.size()));
+        if (is_new) database_.vertices.push_back(made);
+        return found->second;
+    }
+
+    void count_at_once() {
+        std::map<std::int32_t, std::uint32_t> most;
+        for (const auto& [key, faces] : present_)
+            most[key.first] = std::max(most[key.first], faces);
+        for (const auto& [slot, faces] : most)
+            statistics_.faces_at_once += faces;
+    }
+
+    const Assembly& parts_;
+    VisualDatabase& database_;
+    ListStatistics statistics_;
+    std::size_t first_vertex_ = 0;
+    std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> vertices_;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
+    std::map<std::pair<std::int32_t, std::uint32_t>, std::uint32_t>
+        present_; ///< faces by slot and alternative
+};
+
+void add_names(const Assembly& parts, VisualDatabase& database) {
+    const Registry& registry = parts.registry;
+    database.name = registry.name;
+    for (const Source& source : parts.sources.files)
+        database.source_files.push_back(source.name);
+    database.colours = registry.colours;
+    database.colour_names = registry.colour_names.names();
+    database.suns = registry.suns.names();
+    database.moving_objects = registry.moving_objects.names();
+    for (std::size_t i = 0; i < registry.slots.size(); ++i)
+        database.slots.push_back({registry.slots.names()[i], registry.alternatives[i]});
+    for (const AuthoredList& list : registry.lists)
+        database.lists.push_back(list.list);
+}
+
+/// Objects list by list; the number of each in the database.
+std::vector<std::uint32_t> add_objects(const Assembly& parts, VisualDatabase& database) {
+    std::vector<std::uint32_t> numbers(parts.objects.size(), 0);
+    for (std::uint32_t list = 0; list < parts.lists.size(); ++list) {
+        const std::string& list_name = parts.registry.lists[list].list.name;
+        for (const RepeatedTile& tile : parts.tiles.tiles) // the object that the tile's faces belong to
+            if (tile.list == list) database.objects.push_back({list_name, list, none, 0, 0});
+        for (std::size_t i = 0; i < parts.objects.size(); ++i) {
+            const ModelObject& object = parts.objects[i];
+            if (object.list != list) continue;
+            numbers[i] = static_cast<std::uint32_t>(database.objects.size());
+            database.objects.push_back(
+                {object.name, list, object.slot, static_cast<std::uint16_t>(object.alternative), 0});
+        }
+    }
+    return numbers;
+}
+
+Box contents_box(const Assembly& parts, std::uint32_t cluster) {
+    Box box;
+    for (std::uint32_t i = 0; i < parts.lists.size(); ++i) {
+        const ObjectList& list = parts.registry.lists[i].list;
+        if (list.cluster != cluster || list.attachment == Attachment::eye) continue;
+        for (const std::vector<OrderFace>& leaf : parts.lists[i].order.leaves)
+            for (const OrderFace& face : leaf)
+                for (const OrderCorner& corner : face.corners)
+                    if (corner.position.w != 0) box.add(list.origin_m + Vec3d(corner.position));
+    }
+    return box;
+}
+
+void add_clusters(const Assembly& parts, VisualDatabase& database) {
+    for (std::uint32_t i = 0; i < parts.registry.clusters.size(); ++i) {
+        const AuthoredCluster& authored = parts.registry.clusters[i];
+        const Box box = contents_box(parts, i);
+        Cluster cluster;
+        cluster.name = parts.registry.cluster_names.names()[i];
+        cluster.group = parts.planes.cluster_groups[i];
+        cluster.moving_object = authored.moving_object;
+        cluster.reference_point_m = authored.reference_m.value_or(0.5 * (box.low + box.high));
+        const Vec3d reach = box.any ? glm::max(glm::abs(box.low - cluster.reference_point_m),
+                                               glm::abs(box.high - cluster.reference_point_m))
+                                    : Vec3d(0.0);
+        cluster.half_extent_m = Vec3f(authored.half_extent_m.value_or(reach));
+        cluster.root = parts.planes.cluster_roots[i];
+        database.clusters.push_back(cluster);
+    }
+}
+
+} // namespace
+
+VisualDatabase assemble(const Assembly& parts, CompileStatistics& statistics) {
+    VisualDatabase database;
+    add_names(parts, database);
+    database.groups = parts.planes.groups;
+    database.planes = parts.planes.nodes; // first, so that their references stand as they are
+    statistics.priority_planes = static_cast<std::uint32_t>(database.planes.size());
+    const std::vector<std::uint32_t> object_numbers = add_objects(parts, database);
+    for (std::uint32_t list = 0; list < parts.lists.size(); ++list)
+        statistics.lists.push_back(ListAssembler(parts, database).add(list, object_numbers));
+    for (const Object& object : database.objects)
+        ++statistics.lists[object.list].objects;
+    add_clusters(parts, database);
+    database.tiles = parts.tiles.tiles;
+    database.tile_normals = parts.tiles.normals;
+    for (std::size_t i = 0; i < database.tiles.size(); ++i)
+        database.lists[database.tiles[i].list].tile = static_cast<std::int32_t>(i);
+    return database;
+}
+
+} // namespace linkdig::database

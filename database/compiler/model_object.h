@@ -1,0 +1,74 @@
+#pragma once
+/// Pass 3: objects as polygons over named or generated vertices, before they are checked and ordered.
+
+#include "database/compiler/polygon.h"
+#include "database/compiler/registry.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace linkdig::database {
+
+/// A point (w = 1), or a direction (w = 0, unit): a vertex at infinity. Coordinates are those that a float
+/// holds, so that the checks see what the machine will draw.
+struct ModelVertex {
+    Vec4d position{0, 0, 0, 1};
+    std::optional<Vec3d> normal; ///< given by the author, or averaged by average_normals
+    std::string name;            ///< empty: generated
+    Place at;
+};
+
+/// What a face takes from its object unless it says otherwise.
+struct FaceStyle {
+    std::optional<std::uint16_t> colour;
+    Shading shading = Shading::face;
+    bool two_sided = false;
+    std::int32_t layer = 0;
+};
+
+struct ModelFace {
+    std::vector<std::uint32_t> corners; ///< into ModelObject::vertices; the fan starts at the first
+    FaceStyle style;
+    Place at;
+    // Set by check_faces:
+    Plane plane;
+    double deviation_m = 0;   ///< of the corners from the plane
+    bool at_infinity = false; ///< all its corners are directions; plane.normal points at the eye
+};
+
+struct ModelObject {
+    std::string name;
+    std::uint32_t list = 0;
+    std::int32_t slot = none;
+    std::uint32_t alternative = 0;
+    bool resolved = false; ///< everything that it names is known
+    std::vector<ModelVertex> vertices;
+    std::vector<ModelFace> faces;
+    Place at;
+};
+
+/// What the reading passes share.
+struct Reading {
+    const Sources* sources = nullptr;
+    const Registry* registry = nullptr;
+    Diagnostics* diagnostics = nullptr;
+    void error(Place at, std::string message) const {
+        diagnostics->error(sources->location(at), std::move(message));
+    }
+};
+
+/// Objects in the order of their files: [[object]]s, then [[sequence]]s.
+std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Reading& reading);
+/// One object per alternative of the slot, its shape between the key shapes before and after (report, 3.2.2).
+void read_sequence(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
+
+/// colour, shading, two_sided and layer of a table, falling back on `inherited`.
+FaceStyle read_style(TableReader& reader, const Reading& reading, const FaceStyle& inherited);
+/// list and slot; `slot_required`: of a sequence. Sets `resolved`.
+void read_membership(TableReader& reader, const Reading& reading, bool slot_required, ModelObject& object);
+/// mirror = "y".
+bool read_mirror(TableReader& reader);
+
+} // namespace linkdig::database

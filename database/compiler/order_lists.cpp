@@ -1,0 +1,93 @@
+#include "database/compiler/order_lists.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace linkdig::database {
+
+namespace {
+
+/// A list with one mistake in a repeated primitive has thousands of pairs: these many tell enough.
+constexpr std::size_t most_pairs_told = 20;
+/// Relative error of a stored coordinate, with a margin for the sums of its side.
+constexpr double coordinate_error = 4e-7;
+
+OrderFace order_face(const ModelObject& object, const ModelFace& face, std::uint32_t source) {
+    OrderFace result;
+    double largest = 0;
+    result.interpolates = face.style.shading == Shading::vertex;
+    for (const std::uint32_t corner : face.corners) {
+        const ModelVertex& vertex = object.vertices[corner];
+        OrderCorner made{vertex.position, {0, 0, 1}, 0};
+        if (result.interpolates) made.normal = vertex.normal.value_or(face.plane.normal);
+        result.corners.push_back(made);
+        if (vertex.position.w != 0) largest = std::max(largest, glm::length(Vec3d(vertex.position)));
+    }
+    result.plane = face.plane;
+    result.tolerance = std::max({plane_tolerance_m, 1.01 * face.deviation_m, coordinate_error * largest});
+    result.at_infinity = face.at_infinity;
+    result.two_sided = face.style.two_sided;
+    result.layer = face.style.layer;
+    result.slot = object.slot;
+    result.alternative = object.alternative;
+    result.source = source;
+    return result;
+}
+
+class PairReport {
+public:
+    PairReport(const std::vector<ModelObject>& objects, const OrderedList& list, const Reading& reading)
+        : objects_(objects), list_(list), reading_(reading) {}
+
+    void tell(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs, const char* what,
+              const char* expected) const {
+        for (std::size_t i = 0; i < pairs.size() && i < most_pairs_told; ++i) {
+            const auto& [a, b] = pairs[i];
+            std::string message = fmt::format(
+                "{}: this one of object \"{}\" and that of object \"{}\" in {}:{}; {}", what, object(b).name,
+                object(a).name, reading_.sources->files[face(a).at.file].path, face(a).at.line, expected);
+            if (i + 1 == most_pairs_told && pairs.size() > most_pairs_told)
+                message += fmt::format(" (and {} more pairs of this list)", pairs.size() - most_pairs_told);
+            reading_.error(face(b).at, std::move(message));
+        }
+    }
+
+private:
+    const ModelObject& object(std::uint32_t source) const { return objects_[list_.sources[source].object]; }
+    const ModelFace& face(std::uint32_t source) const {
+        return object(source).faces[list_.sources[source].face];
+    }
+    const std::vector<ModelObject>& objects_;
+    const OrderedList& list_;
+    const Reading& reading_;
+};
+
+} // namespace
+
+std::vector<OrderedList> order_lists(const std::vector<ModelObject>& objects, const Reading& reading) {
+    std::vector<OrderedList> lists(reading.registry->lists.size());
+    std::vector<std::vector<OrderFace>> faces(lists.size());
+    for (std::uint32_t o = 0; o < objects.size(); ++o) {
+        if (!objects[o].resolved) continue;
+        OrderedList& list = lists[objects[o].list];
+        for (std::uint32_t f = 0; f < objects[o].faces.size(); ++f) {
+            faces[objects[o].list].push_back(
+                order_face(objects[o], objects[o].faces[f], static_cast<std::uint32_t>(list.sources.size())));
+            list.sources.push_back({o, f});
+        }
+    }
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+        lists[i].order = order_faces(std::move(faces[i]));
+        const PairReport report(objects, lists[i], reading);
+        report.tell(lists[i].order.ties, "coplanar faces overlap with the same layer",
+                    "expected different layers");
+        report.tell(lists[i].order.inseparable, "faces intersect, and no plane divides them",
+                    "expected faces that a plane can order");
+    }
+    return lists;
+}
+
+} // namespace linkdig::database

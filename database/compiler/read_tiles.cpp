@@ -1,0 +1,97 @@
+#include "database/compiler/read_tiles.h"
+
+#include "database/model/mathematics.h"
+#include "database/water/sea_pattern.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace linkdig::database {
+
+namespace {
+
+constexpr std::int64_t most_half_width = 256;
+/// From the eye to the outermost ring's border.
+constexpr double farthest_reach_m = 1e9;
+/// Squares that the machine makes each frame, of all tiles.
+constexpr std::uint64_t most_squares = 4'000'000;
+
+std::uint32_t read_whole(TableReader& reader, const char* key, std::int64_t least, std::int64_t greatest) {
+    return static_cast<std::uint32_t>(reader.integer(key, least, greatest));
+}
+
+void check_list(TableReader& reader, std::uint32_t list, const std::vector<ModelObject>& objects,
+                const Tiles& before, const Reading& reading) {
+    const ObjectList& of = reading.registry->lists[list].list;
+    if (of.attachment != Attachment::world)
+        reader.error_at(
+            "list",
+            fmt::format("the list \"{}\" of a tile does not stand in the world; expected frame = \"world\"",
+                        of.name));
+    for (const RepeatedTile& other : before.tiles)
+        if (other.list == list)
+            reader.error_at("list", fmt::format("the list \"{}\" has a tile already; expected one", of.name));
+    for (const ModelObject& object : objects) {
+        if (!object.resolved || object.list != list) continue;
+        reader.error_at(
+            "list", fmt::format("the list \"{}\" of a tile holds the object \"{}\"; expected nothing else",
+                                of.name, object.name));
+        return;
+    }
+}
+
+void read_tile(AuthoredTable table, const std::vector<ModelObject>& objects, const Reading& reading,
+               Tiles& result) {
+    TableReader reader = reader_of(table, *reading.sources, "tile", *reading.diagnostics);
+    RepeatedTile tile;
+    const auto list = named(reader, "list", reading.registry->list_names, true);
+    tile.list = list.value_or(0);
+    if (list) check_list(reader, *list, objects, result, reading);
+    tile.period = read_whole(reader, "period", 2, 1024);
+    if ((tile.period & (tile.period - 1)) != 0)
+        reader.error_at("period",
+                        fmt::format("\"period\" is {}; expected a power of two, 2 to 1024", tile.period));
+    tile.cell_m = reader.length_m("cell", {}, {0.01, 1e5});
+    tile.rings = read_whole(reader, "rings", 1, 16);
+    tile.fine_levels = read_whole(reader, "fine_levels", 0, 6);
+    tile.half_width = read_whole(reader, "half_width", 8, most_half_width);
+    if (tile.half_width % 4 != 0)
+        reader.error_at("half_width", fmt::format("\"half_width\" is {}; expected a multiple of 4, 8 to {}",
+                                                  tile.half_width, most_half_width));
+    const double vertical_angle_rad = reader.angle_rad("vertical_angle", {}, {0, 90});
+    tile.vertical_angle_rad = static_cast<float>(vertical_angle_rad);
+    tile.colour =
+        static_cast<std::uint16_t>(named(reader, "colour", reading.registry->colour_names, true).value_or(0));
+    const auto seed =
+        static_cast<std::uint64_t>(reader.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    reader.choice("pattern", 0, {"random"});
+    if (tile.cell_m * static_cast<double>(1U << tile.rings) * tile.half_width > farthest_reach_m)
+        reader.error_at("rings",
+                        fmt::format("the rings reach further than {:.0f} m; expected fewer or smaller ones",
+                                    farthest_reach_m));
+    tile.file = table.file;
+    tile.line = place_of(*table.table, table.file).line;
+    reader.finish();
+    const std::size_t count = std::size_t{tile.period} * tile.period;
+    for (const NormalStream stream : {NormalStream::vertices, NormalStream::faces}) {
+        (stream == NormalStream::vertices ? tile.first_normal : tile.first_face_normal) =
+            static_cast<std::uint32_t>(result.normals.size());
+        const std::vector<Vec3f> normals = random_normals(seed, stream, count, vertical_angle_rad);
+        result.normals.insert(result.normals.end(), normals.begin(), normals.end());
+    }
+    result.tiles.push_back(tile);
+}
+
+} // namespace
+
+Tiles read_tiles(const AuthoredTables& tables, const std::vector<ModelObject>& objects,
+                 const Reading& reading) {
+    Tiles result;
+    for (const AuthoredTable each : tables.tiles)
+        read_tile(each, objects, reading, result);
+    return result;
+}
+
+} // namespace linkdig::database

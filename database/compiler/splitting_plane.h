@@ -1,0 +1,23 @@
+#pragma once
+/// The choice of the plane that splits a set of faces.
+
+#include "database/compiler/ordering.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace linkdig::database {
+
+/// Least distance that counts when faces with such coordinates are told apart by a plane that is stored in
+/// floats.
+double split_tolerance(std::span<const OrderFace> faces);
+
+/// The plane, as a float holds it, that splits the set with the fewest cuts, then most evenly: of the faces'
+/// own planes and the axis planes at their borders. Nothing if none makes every part smaller than the set.
+std::optional<Plane> splitting_plane(std::span<const OrderFace> faces, double tolerance);
+
+/// For sets too large to compare: an axis plane near the middle. Nothing if none helps.
+std::optional<Plane> median_plane(std::span<const OrderFace> faces, double tolerance);
+
+} // namespace linkdig::database

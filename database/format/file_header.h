@@ -1,0 +1,34 @@
+#pragma once
+/// The 32 bytes before the FlatBuffers payload of a compiled visual database. All numbers little-endian.
+///
+///   0  8  magic
+///   8  4  format version
+///  12  4  reserved, zero
+///  16  8  length of the payload in bytes; the file ends with it
+///  24  8  xxHash64 (seed 0) of bytes 0 to 23 followed by the payload's own xxHash64 (seed 0)
+///
+/// The hash covers every other byte of the file, so that no bit of it can be changed unnoticed.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace linkdig::database {
+
+inline constexpr std::size_t header_bytes = 32;
+/// Raised whenever the meaning of a stored byte changes: a reader refuses every version but its own.
+inline constexpr std::uint32_t format_version = 1;
+/// FlatBuffers offsets are 32 bits with sign; half of their range is some five million faces.
+inline constexpr std::uint64_t max_payload_bytes = std::uint64_t{1} << 30U;
+
+/// Writes the header for what follows it in `file` (at least header_bytes long) into its first bytes.
+void seal_header(std::span<std::uint8_t> file);
+
+/// Empty if the header of `file` belongs to exactly these bytes; else what is wrong with them.
+std::string check_header(std::span<const std::uint8_t> file);
+
+/// The database's identity: xxHash64 (seed 0) of a payload.
+std::uint64_t payload_id(std::span<const std::uint8_t> payload);
+
+} // namespace linkdig::database

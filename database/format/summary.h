@@ -1,0 +1,47 @@
+#pragma once
+/// Counts and extents of a visual database, list by list.
+
+#include "database/model/visual_database.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace linkdig::database {
+
+/// Smallest box along the axes of the list's frame that holds every vertex that is not at infinity.
+struct Extent {
+    Vec3f least{0};
+    Vec3f greatest{0};
+};
+
+struct ObjectSummary {
+    std::uint64_t faces = 0;
+    std::uint64_t corners = 0;
+};
+
+struct ListSummary {
+    std::uint64_t faces = 0;
+    std::uint64_t corners = 0;
+    std::uint64_t smooth_faces = 0;
+    /// Most faces that can be present at once: of each slot the alternative with the most. A tile's faces not
+    /// counted.
+    std::uint64_t faces_at_most = 0;
+    std::uint64_t runs = 0;
+    std::uint64_t leaves = 0;
+    std::uint64_t planes = 0;
+    std::uint32_t tree_depth = 0; ///< planes on the longest way from the root to a leaf
+    bool reaches_infinity = false;
+    std::optional<Extent> extent;       ///< none: no vertex at a finite place
+    std::vector<std::uint32_t> objects; ///< into VisualDatabase::objects
+};
+
+struct DatabaseSummary {
+    std::vector<ListSummary> lists;     ///< parallel to VisualDatabase::lists
+    std::vector<ObjectSummary> objects; ///< parallel to VisualDatabase::objects
+};
+
+/// The database is sound (validate.h).
+DatabaseSummary summarise(const VisualDatabase& database);
+
+} // namespace linkdig::database

@@ -1,0 +1,28 @@
+#pragma once
+/// Is every index of a visual database in range, every number finite and within its bounds, every tree a
+/// tree?
+
+#include "database/model/visual_database.h"
+
+#include <cstdint>
+#include <string>
+
+namespace linkdig::database {
+
+// Bounds beside those that visual_database.h states. They keep the machine's arithmetic and memory within
+// limits, whatever a file says.
+inline constexpr double max_coordinate_m = 1e7; ///< of any position
+inline constexpr double max_tile_reach_m = 1e9; ///< from the eye to the outermost ring's border
+inline constexpr std::uint32_t max_half_width = 256;
+inline constexpr std::uint64_t max_tile_squares = 4'000'000; ///< of all tiles together
+inline constexpr std::uint32_t max_alternatives = 65535;
+inline constexpr std::uint32_t max_tree_depth =
+    4096; ///< planes from a root to a leaf: trees may be walked recursively
+inline constexpr std::size_t max_name_bytes = 4096;
+inline constexpr double unit_tolerance = 1e-3; ///< of a unit vector's length
+
+/// Empty: sound. Else the first thing that is wrong, and where: "faces[12].colour is 7, but there are 3
+/// colours".
+std::string validate(const VisualDatabase& database);
+
+} // namespace linkdig::database
