@@ -1,0 +1,74 @@
+#pragma once
+/// Each row's two conversions, side by side: frame_packet.h to what recording.fbs stores, and back.
+
+#include "host/packet/frame_packet.h"
+#include "host/packet/recording_generated.h"
+
+namespace linkdig {
+
+inline stored::Vec3 to_stored(const Vec3f& v) { return {v.x, v.y, v.z}; }
+inline Vec3f from_stored(const stored::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+inline stored::Vec3Double to_stored(const Vec3d& v) { return {v.x, v.y, v.z}; }
+inline Vec3d from_stored(const stored::Vec3Double& v) { return {v.x(), v.y(), v.z()}; }
+
+inline stored::Attitude to_stored(const Attitude& a) { return {a.heading_rad, a.pitch_rad, a.roll_rad}; }
+inline Attitude from_stored(const stored::Attitude& a) {
+    return {a.heading_rad(), a.pitch_rad(), a.roll_rad()};
+}
+
+inline stored::ChannelView to_stored(const ChannelView& c) {
+    return {to_stored(c.eye_m),
+            to_stored(c.attitude),
+            c.left_tangent,
+            c.right_tangent,
+            c.bottom_tangent,
+            c.top_tangent,
+            c.on};
+}
+inline ChannelView from_stored(const stored::ChannelView& c) {
+    return {.on = c.on(),
+            .eye_m = from_stored(c.eye_m()),
+            .attitude = from_stored(c.attitude()),
+            .left_tangent = c.left_tangent(),
+            .right_tangent = c.right_tangent(),
+            .bottom_tangent = c.bottom_tangent(),
+            .top_tangent = c.top_tangent()};
+}
+
+inline stored::ListLighting to_stored(const ListLighting& l) {
+    return {l.list, l.sun, l.ambient, l.diffuse, l.colour, static_cast<std::uint32_t>(l.method)};
+}
+/// A method that is no byte becomes 255, which check_packet() refuses.
+inline ListLighting from_stored(const stored::ListLighting& l) {
+    return {.list = l.list(),
+            .sun = l.sun(),
+            .ambient = l.ambient(),
+            .diffuse = l.diffuse(),
+            .colour = l.colour(),
+            .method = static_cast<ShadingMethod>(l.method() < 255 ? l.method() : 255)};
+}
+
+inline stored::MovingObject to_stored(const MovingObject& m) {
+    return {to_stored(m.position_m), to_stored(m.attitude), to_stored(m.waterline_position_m),
+            m.waterline_heading_rad, m.visible};
+}
+inline MovingObject from_stored(const stored::MovingObject& m) {
+    return {.visible = m.visible(),
+            .position_m = from_stored(m.position_m()),
+            .attitude = from_stored(m.attitude()),
+            .waterline_position_m = from_stored(m.waterline_position_m()),
+            .waterline_heading_rad = m.waterline_heading_rad()};
+}
+
+inline stored::Substitution to_stored(const Substitution& s) { return {s.slot, s.index}; }
+inline Substitution from_stored(const stored::Substitution& s) { return {s.slot(), s.index()}; }
+
+inline stored::SeaParameters to_stored(const SeaParameters& s) {
+    return {s.state, s.current_east_mps, s.current_north_mps};
+}
+inline SeaParameters from_stored(const stored::SeaParameters& s) {
+    return {s.state(), s.current_east_mps(), s.current_north_mps()};
+}
+
+} // namespace linkdig

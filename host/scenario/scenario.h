@@ -1,0 +1,124 @@
+#pragma once
+/// A scenario: what happens in front of a visual database. The file's contents as a value, in SI units and
+/// radians, with mathematical headings; things of the database are still named.
+///
+/// In the file headings and azimuths are degrees clockwise from north, speeds knots, lengths metres or feet:
+/// [scenario], [suns.NAME], [[ship]] with [ship.motion], [[sequence]], [[approach]], [[channel]], [sea],
+/// [sky].
+
+#include "database/text/diagnostic.h"
+#include "host/packet/frame_packet.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace linkdig::host {
+
+/// A name that stands in the scenario's file, and where.
+struct Name {
+    std::string text;
+    database::SourceLocation at;
+};
+
+/// A sun. It turns if a rate is not 0; its elevation is then reflected between the two limits.
+struct SunSection {
+    Name sun;
+    double azimuth_rad = 0.0; ///< counter-clockwise from east, as all azimuths and headings here
+    double elevation_rad = 0.0;
+    double azimuth_rate_rad_s = 0.0; ///< counter-clockwise; the file's is clockwise
+    double elevation_rate_rad_s = 0.0;
+    double least_elevation_rad = 0.0;
+    double greatest_elevation_rad = 0.0;
+    bool turning() const { return azimuth_rate_rad_s != 0.0 || elevation_rate_rad_s != 0.0; }
+};
+
+/// Estimated response of one of a ship's axes.
+struct AxisSection {
+    double gain = 1.0;
+    double limit = 0.0; ///< metres or radians
+};
+
+/// [ship.motion]: without it a ship does not move about her track.
+struct MotionSection {
+    double significant_height_m = 0.0;
+    double period_s = 10.0;          ///< modal
+    double travel_heading_rad = 0.0; ///< where the waves run to; the file says where they come from
+    std::uint64_t seed = 0;
+    std::uint32_t components = 12;
+    double length_m = 180.0;
+    double heave_period_s = 8.0;
+    double roll_period_s = 14.0;
+    double pitch_period_s = 7.5;
+    std::array<AxisSection, 6> axes; ///< surge, sway, heave, roll, pitch, yaw
+};
+
+struct ShipSection {
+    Name moving_object;
+    Vec3d position_m{0};
+    double heading_rad = 0.0;
+    double speed_mps = 0.0;
+    std::optional<MotionSection> motion;
+};
+
+/// Alternatives of a slot, one after the other (report, 3.2.2).
+struct SequenceSection {
+    Name slot;
+    double dwell_s = 0.1; ///< time that each face stays
+    double phase = 0.0;   ///< where it begins, as a fraction of the whole sequence
+};
+
+/// The own ship's approach, in the mean frame of a ship (x forward, y to port, z up from the water).
+struct ApproachSection {
+    Name ship;                   ///< a moving object that has a [[ship]]
+    double duration_s = 0.0;     ///< for scenarios of at least this length
+    std::array<Vec3d, 4> path_m; ///< control points of a cubic Bezier curve: start, two handles, hover
+    Vec3d first_aim_m{0};
+    Vec3d last_aim_m{0};
+};
+
+struct ChannelSection {
+    std::string name;
+    double horizontal_field_rad = 0.0;
+    std::optional<double> vertical_field_rad{}; ///< absent: from the picture's shape, pixels square
+    double azimuth_rad =
+        0.0; ///< of its line of sight off the own ship's nose, to port; the file's is to starboard
+    double elevation_rad = 0.0;
+};
+
+struct Scenario {
+    std::string path;
+    std::string name;
+    std::string database_path; ///< a .toml or .igdb file, the scenario's folder already before it
+    double duration_s = 0.0;
+    std::uint64_t seed = 0;
+    std::vector<SunSection> suns;
+    std::vector<ShipSection> ships;
+    std::vector<SequenceSection> sequences;
+    std::vector<ApproachSection> approaches; ///< ascending by duration
+    std::vector<ChannelSection> channels;
+    double sea_state = 0.0; ///< the report's: 0, 1.5 ("1-2"), 3
+    double current_east_mps = 0.0;
+    double current_north_mps = 0.0;
+    Vec3f sky{0.60F, 0.72F, 0.86F};
+    /// Object lists that stay smooth when smooth shading is off: a dome whose authored normals are its
+    /// picture.
+    std::vector<Name> sky_lists;
+    double visibility_m = 0.0; ///< 0: unlimited
+    double time_of_day_h = 12.0;
+};
+
+struct ScenarioResult {
+    std::optional<Scenario> scenario; ///< nothing if there is any diagnostic
+    database::Diagnostics diagnostics;
+};
+
+/// Reads a scenario file. All its mistakes are told at once; names are not looked up yet, see bind().
+ScenarioResult load_scenario(const std::string& path);
+
+/// The approach to fly in a scenario of this length: the longest that fits, or else the shortest.
+const ApproachSection& approach_for(const Scenario& scenario);
+
+} // namespace linkdig::host

@@ -1,0 +1,170 @@
+#include "host/scenario/sections.h"
+
+#include "host/packet/check_packet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace linkdig::host {
+
+namespace {
+
+/// Reports `name` if a section of the same kind has it already.
+template <typename Sections, typename Member>
+void refuse_second(const Name& name, const Sections& before, Member member, const char* kind,
+                   database::Diagnostics& diagnostics) {
+    const auto same =
+        std::ranges::find_if(before, [&](const auto& each) { return (each.*member).text == name.text; });
+    if (name.text.empty() || same == before.end()) return;
+    diagnostics.error(name.at, fmt::format("a second {} for \"{}\"; the first stands in line {}", kind,
+                                           name.text, ((*same).*member).at.line));
+}
+
+constexpr Range elevation_range{-90.0, 90.0};
+constexpr Range rate_range{-3600.0, 3600.0};
+
+SunSection read_sun(TableReader& reader) {
+    SunSection sun;
+    sun.azimuth_rad = read_heading_rad(reader, "azimuth");
+    sun.elevation_rad = reader.angle_rad("elevation", {}, elevation_range);
+    // Keys per second, "azimuth_rate_deg_s": the host converts them to increments of its update rate.
+    sun.azimuth_rate_rad_s = -radians(reader.number("azimuth_rate_deg_s", 0.0, rate_range));
+    sun.elevation_rate_rad_s = radians(reader.number("elevation_rate_deg_s", 0.0, rate_range));
+    sun.least_elevation_rad = reader.angle_rad("least_elevation", 5.0, elevation_range);
+    sun.greatest_elevation_rad = reader.angle_rad("greatest_elevation", 85.0, elevation_range);
+    if (sun.least_elevation_rad > sun.greatest_elevation_rad)
+        reader.error_at("least_elevation_deg", "\"least_elevation_deg\" is above \"greatest_elevation_deg\"");
+    else if (sun.turning() &&
+             (sun.elevation_rad < sun.least_elevation_rad || sun.elevation_rad > sun.greatest_elevation_rad))
+        reader.error_at("elevation_deg",
+                        fmt::format("\"elevation_deg\" is {:.6g}; a turning sun stands between "
+                                    "\"least_elevation_deg\" {:.6g} and \"greatest_elevation_deg\" {:.6g}",
+                                    degrees(sun.elevation_rad), degrees(sun.least_elevation_rad),
+                                    degrees(sun.greatest_elevation_rad)));
+    reader.finish();
+    return sun;
+}
+
+} // namespace
+
+void read_suns(TableReader& root, Scenario& scenario) {
+    const toml::table* suns = root.table("suns");
+    if (suns == nullptr) return;
+    for (auto&& [key, node] : *suns) {
+        const std::string name(key.str());
+        const database::SourceLocation at = database::location_of(node, root.file());
+        if (node.as_table() == nullptr) {
+            root.diagnostics().error(at, fmt::format("\"suns.{0}\" is no table; expected [suns.{0}]", name));
+            continue;
+        }
+        TableReader reader(*node.as_table(), root.file(), fmt::format("[suns.{}]", name), root.diagnostics());
+        SunSection sun = read_sun(reader);
+        sun.sun = {name, at};
+        scenario.suns.push_back(std::move(sun));
+    }
+}
+
+void read_sequences(TableReader& root, Scenario& scenario) {
+    for (const toml::table* table : root.tables("sequence")) {
+        TableReader reader(*table, root.file(), "[[sequence]]", root.diagnostics());
+        SequenceSection sequence;
+        sequence.slot = read_name(reader, "slot");
+        sequence.dwell_s = reader.duration_s("dwell", {}, {0.001, 3600.0});
+        sequence.phase = reader.number("phase", 0.0, {0.0, 1.0});
+        reader.finish();
+        refuse_second(sequence.slot, scenario.sequences, &SequenceSection::slot, "[[sequence]]",
+                      root.diagnostics());
+        scenario.sequences.push_back(std::move(sequence));
+    }
+}
+
+void read_approaches(TableReader& root, Scenario& scenario) {
+    for (const toml::table* table : root.tables("approach")) {
+        TableReader reader(*table, root.file(), "[[approach]]", root.diagnostics());
+        ApproachSection approach;
+        approach.ship = read_name(reader, "ship");
+        approach.duration_s = reader.duration_s("duration", {}, {1.0, 86400.0});
+        const std::vector<Vec3d> path = reader.points_m("path");
+        if (path.size() == approach.path_m.size())
+            std::ranges::copy(path, approach.path_m.begin());
+        else if (reader.has("path_m") || reader.has("path_ft"))
+            reader.error_at(
+                reader.has("path_m") ? "path_m" : "path_ft",
+                fmt::format("the path has {} points; expected 4: start, two handles, hover", path.size()));
+        approach.first_aim_m = reader.point_m("first_aim");
+        approach.last_aim_m = reader.point_m("last_aim");
+        reader.finish();
+        const auto flown = [&](const ShipSection& ship) {
+            return ship.moving_object.text == approach.ship.text;
+        };
+        if (!approach.ship.text.empty() && std::ranges::none_of(scenario.ships, flown))
+            root.diagnostics().error(approach.ship.at, fmt::format("no [[ship]] has the moving object \"{}\"",
+                                                                   approach.ship.text));
+        scenario.approaches.push_back(std::move(approach));
+    }
+    if (scenario.approaches.empty() && !root.has("approach"))
+        root.error_at("approach", "the scenario has no [[approach]]; expected at least one");
+    std::ranges::stable_sort(scenario.approaches, {}, &ApproachSection::duration_s);
+}
+
+void read_channels(TableReader& root, Scenario& scenario) {
+    for (const toml::table* table : root.tables("channel")) {
+        TableReader reader(*table, root.file(), "[[channel]]", root.diagnostics());
+        ChannelSection channel;
+        channel.name = reader.text("name");
+        channel.horizontal_field_rad = reader.angle_rad("horizontal_field", {}, {1.0, 150.0});
+        if (reader.has("vertical_field_deg"))
+            channel.vertical_field_rad = reader.angle_rad("vertical_field", {}, {1.0, 150.0});
+        else
+            reader.node("vertical_field_deg"); // known, though absent
+        channel.azimuth_rad = -reader.angle_rad("azimuth", 0.0, {-180.0, 180.0});
+        channel.elevation_rad = reader.angle_rad("elevation", 0.0, elevation_range);
+        reader.finish();
+        scenario.channels.push_back(std::move(channel));
+    }
+    const std::size_t count = scenario.channels.size();
+    const bool left_out = count == 0 && !root.has("channel");
+    if (left_out || count > max_channels)
+        root.error_at("channel",
+                      fmt::format("the scenario has {} channels; expected 1 to {}", count, max_channels));
+}
+
+void read_sea(TableReader& root, Scenario& scenario) {
+    const toml::table* table = root.table("sea");
+    if (table == nullptr) return;
+    TableReader reader(*table, root.file(), "[sea]", root.diagnostics());
+    scenario.sea_state = reader.number("state", 0.0, {0.0, 9.0});
+    scenario.current_east_mps = reader.speed_mps("current_east", 0.0, {-10.0, 10.0});
+    scenario.current_north_mps = reader.speed_mps("current_north", 0.0, {-10.0, 10.0});
+    reader.finish();
+}
+
+void read_sky(TableReader& root, Scenario& scenario) {
+    const toml::table* table = root.table("sky");
+    if (table == nullptr) return;
+    TableReader reader(*table, root.file(), "[sky]", root.diagnostics());
+    const Vec3d rgb = reader.vector("rgb", Vec3d(scenario.sky) * 255.0);
+    for (int i = 0; i < 3; ++i) {
+        if (!(rgb[i] >= 0.0 && rgb[i] <= 255.0))
+            reader.error_at("rgb", fmt::format("\"rgb\" has the component {}; expected 0 to 255", rgb[i]));
+    }
+    scenario.sky = Vec3f(rgb / 255.0);
+    for (std::string& list : reader.texts("lists"))
+        scenario.sky_lists.push_back({std::move(list), reader.at("lists")});
+    scenario.visibility_m = reader.length_m("visibility", 0.0, {0.0, 1e6});
+    scenario.time_of_day_h = reader.number("time_of_day_h", 12.0, {0.0, 24.0});
+    reader.finish();
+}
+
+void read_ships(TableReader& root, Scenario& scenario) {
+    for (const toml::table* table : root.tables("ship")) {
+        TableReader reader(*table, root.file(), "[[ship]]", root.diagnostics());
+        ShipSection ship = read_ship(reader);
+        refuse_second(ship.moving_object, scenario.ships, &ShipSection::moving_object, "[[ship]]",
+                      root.diagnostics());
+        scenario.ships.push_back(std::move(ship));
+    }
+}
+
+} // namespace linkdig::host

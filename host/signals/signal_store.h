@@ -1,0 +1,35 @@
+#pragma once
+/// Where the signals stand between two frames. Any thread may write at any time; the loop takes a snapshot
+/// per frame.
+
+#include "host/signals/signals.h"
+
+#include <atomic>
+
+namespace linkdig::host {
+
+class SignalStore {
+public:
+    SignalStore();
+    SignalStore(const SignalStore&) = delete;
+    SignalStore& operator=(const SignalStore&) = delete;
+
+    /// Writes the admissible value. False, and nothing changes, for a NaN or an unknown name.
+    bool write(Signal signal, double value);
+    bool write(std::string_view name, double value);
+    /// Adds to a signal and clamps the sum: what a key does that is pressed again and again. False for a NaN.
+    bool add(Signal signal, double difference);
+    /// A switch changes sides.
+    void change_over(Signal signal);
+    /// All signals back to their initial values.
+    void restore();
+
+    double value(Signal signal) const;
+    /// The values as they stand; pulses are taken, and stand at 0 afterwards.
+    SignalValues snapshot();
+
+private:
+    std::array<std::atomic<double>, signal_count> values_;
+};
+
+} // namespace linkdig::host
