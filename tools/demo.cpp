@@ -1,0 +1,144 @@
+/// linkdig demo: the shipped approach to LPH-2, in a window or as files.
+
+#include "tools/film/film.h"
+#include "tools/flight/arguments.h"
+#include "tools/flight/dump.h"
+#include "tools/flight/flight.h"
+#include "tools/flight/progress.h"
+#include "tools/flight/shipped_scenes.h"
+#include "tools/fly/fly.h"
+#include "tools/fly/window.h"
+#include "tools/sheet/text.h"
+#include "tools/subcommands.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace linkdig::tools {
+namespace {
+
+struct DemoOptions {
+    double seconds = 20.0;
+    std::optional<std::uint64_t> frames;
+    std::optional<std::string> size;
+    std::string profile = "modern";
+    std::optional<double> frames_per_second;
+    bool headless = false;
+    std::string out = "out/approach";
+    std::uint32_t threads = 0;
+    std::optional<std::uint64_t> seed;
+};
+
+constexpr double headless_rate_hz = 30.0;
+
+FlightRequest request_of(const DemoOptions& options, bool headless) {
+    FlightRequest request;
+    request.scenario_path = shipped_scenes() + "/first_flight/approach.toml";
+    request.duration_s = options.seconds;
+    request.seed = options.seed;
+    request.configuration = options.profile == "ames" ? ig::ames_profile() : ig::modern_profile();
+    request.configuration.threads = options.threads;
+    if (options.size) {
+        const PictureSize size = parse_size(*options.size);
+        request.configuration.raster.width = size.width;
+        request.configuration.raster.height = size.height;
+    }
+    const double rate_hz = headless ? headless_rate_hz : request.configuration.update_rate_hz;
+    request.configuration.update_rate_hz = options.frames_per_second.value_or(rate_hz);
+    return request;
+}
+
+void summarise(const Flight& flight, std::uint64_t overruns) {
+    const FlightCosts& costs = flight.costs();
+    const double mean_ms =
+        costs.frames == 0 ? 0.0 : 1000.0 * costs.machine_s / static_cast<double>(costs.frames);
+    fmt::print("{} frames at {:g} Hz; image generator {:.2f} ms a frame, at most {:.2f} ms; {} overruns; "
+               "at most {} edges in a frame\n",
+               costs.frames, flight.loop().update_rate_hz(), mean_ms, 1000.0 * costs.worst_s, overruns,
+               costs.most_edges);
+}
+
+int fly_as_files(const DemoOptions& options) {
+    require_fonts();
+    Flight flight(request_of(options, true));
+    const ig::Configuration& built_as = flight.configuration();
+    const ig::Raster& raster = built_as.raster;
+    DumpRequest dump;
+    dump.folder = options.out;
+    dump.film_name = video_files() ? "approach" : "";
+    dump.frames = options.frames.value_or(flight.loop().frames());
+    dump.frames_per_second = static_cast<std::uint32_t>(std::lround(flight.loop().update_rate_hz()));
+    dump.width = raster.width;
+    dump.height = raster.height;
+    dump.heading = fmt::format("linkdig demo: {}, {} frames, {} x {}, profile {}", flight.scenario().name,
+                               dump.frames, raster.width, raster.height, built_as.name);
+    dump.progress = stderr_is_terminal();
+    const host::SignalValues as_the_scenario_says;
+    dump_flight(dump, [&](std::uint64_t frame) -> const ig::VideoFrame& {
+        flight.draw(frame, as_the_scenario_says);
+        return flight.machine().picture(0);
+    });
+    fmt::print("{}: frame_000000.png to frame_{:06}.png, {}contact.png\n", dump.folder, dump.frames - 1,
+               dump.film_name.empty() ? "" : dump.film_name + ".mp4, ");
+    summarise(flight, 0); // a virtual clock waits for every frame
+    return ExitCode::done;
+}
+
+/// The window, or nothing if there is no display to open it on.
+std::unique_ptr<Window> window_for(const ig::Configuration& configuration) {
+    if (!display_present()) return nullptr;
+    try {
+        return std::make_unique<Window>("linkdig demo", configuration.raster.width,
+                                        configuration.raster.height);
+    } catch (const std::runtime_error& error) {
+        fmt::print(stderr, "linkdig demo: {}; files are written instead\n", error.what());
+        return nullptr;
+    }
+}
+
+int run(const DemoOptions& options) {
+    const FlightRequest request = request_of(options, false);
+    const auto window = options.headless ? nullptr : window_for(request.configuration);
+    if (!window) return fly_as_files(options);
+    Flight flight(request);
+    const FlyResult flown = fly(flight, *window, options.frames.value_or(0));
+    summarise(flight, flown.overruns);
+    return ExitCode::done;
+}
+
+} // namespace
+
+void add_demo(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<DemoOptions>();
+    CLI::App* demo = app.add_subcommand("demo", "Fly the shipped approach to LPH-2 over a moving sea");
+    demo->add_option("--seconds", options->seconds, "Length of the flight; 60: from half a mile")
+        ->check(CLI::Range(0.1, 86400.0))
+        ->capture_default_str();
+    demo->add_option("--frames", options->frames, "Draw this many frames, whatever the length of the flight")
+        ->check(CLI::Range(1, 1000000));
+    demo->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
+    demo->add_option("--profile", options->profile, "Machine profile")
+        ->check(CLI::IsMember({"ames", "modern"}))
+        ->capture_default_str();
+    demo->add_option("--fps", options->frames_per_second,
+                     "Updates a second; default: 30 headless, the profile's in a window")
+        ->check(CLI::Range(1, 240));
+    demo->add_flag("--headless", options->headless, "Write files, even where there is a display");
+    demo->add_option("--out", options->out, "Folder of the files")->capture_default_str();
+    demo->add_option("--threads", options->threads,
+                     "Threads of the image generator; 0: as many as the machine has")
+        ->check(CLI::Range(0, 256));
+    demo->add_option("--seed", options->seed, "Seed of the flight; default: the scenario's");
+    demo->footer(
+        "In a window the keys are shown on the screen. Without a display, or with --headless, the flight is\n"
+        "written as PNG frames, approach.mp4 and contact.png.\n"
+        "Example:\n  linkdig demo --headless --frames 600 --out out/approach");
+    demo->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+} // namespace linkdig::tools

@@ -1,0 +1,64 @@
+#include "tools/flight/flight.h"
+
+#include "database/format/name_directory.h"
+#include "tools/flight/bad_input.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+namespace linkdig::tools {
+namespace {
+
+host::Scenario scenario_of(const FlightRequest& request) {
+    host::ScenarioResult result = host::load_scenario(request.scenario_path);
+    if (!result.scenario) throw BadInput(result.diagnostics.text());
+    host::Scenario scenario = std::move(*result.scenario);
+    scenario.duration_s = request.duration_s.value_or(scenario.duration_s);
+    scenario.seed = request.seed.value_or(scenario.seed);
+    return scenario;
+}
+
+host::HostLoop loop_of(const host::Scenario& scenario, const OpenedDatabase& opened,
+                       const ig::Configuration& configuration) {
+    const database::NameDirectory directory = database::name_directory(opened.database, opened.id);
+    const double aspect = static_cast<double>(configuration.raster.width) / configuration.raster.height;
+    try {
+        return {scenario, directory, configuration.update_rate_hz, aspect};
+    } catch (const std::invalid_argument& error) {
+        throw BadInput(error.what()); // names that the database does not have
+    }
+}
+
+} // namespace
+
+Flight::Flight(const FlightRequest& request)
+    : scenario_(scenario_of(request)), opened_(open_database(scenario_.database_path)),
+      loop_(loop_of(scenario_, opened_, request.configuration)), configuration_(request.configuration),
+      machine_(opened_.database, configuration_) {}
+
+const FrameReport& Flight::draw(std::uint64_t frame, const host::SignalValues& signals) {
+    using Clock = std::chrono::steady_clock;
+    packet_ = &loop_.packet(frame, signals);
+    const Clock::time_point begin = Clock::now();
+    const FrameReport& report = machine_.frame(*packet_);
+    const double taken_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (!report.errors.empty())
+        throw std::logic_error(
+            fmt::format("frame {} was refused: {}", frame, fmt::join(report.errors, "; ")));
+    std::uint64_t edges = 0;
+    for (const ChannelReport& channel : report.channels)
+        edges += channel.edges;
+    ++costs_.frames;
+    costs_.machine_s += taken_s;
+    costs_.worst_s = std::max(costs_.worst_s, taken_s);
+    costs_.most_edges = std::max(costs_.most_edges, edges);
+    costs_.over_period += taken_s * loop_.update_rate_hz() > 1.0 ? 1 : 0;
+    return report;
+}
+
+} // namespace linkdig::tools

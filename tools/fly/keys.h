@@ -1,0 +1,46 @@
+#pragma once
+/// The keys of the window: one table, from which both the meaning of a key and the help on the screen are
+/// taken.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace linkdig::tools {
+
+enum class Action : std::uint8_t {
+    pause,
+    step,
+    sun_up,
+    sun_down,
+    sea_sun_slower,
+    sea_sun_faster,
+    smooth_shading,
+    view_ahead,
+    view_left,
+    view_right,
+    view_down,
+    reset,
+    help,
+    quit,
+};
+
+struct Key {
+    Action action;
+    const char* label;       ///< as shown
+    const char* says;        ///< what it does, as shown
+    std::int32_t code;       ///< SDL_Keycode
+    std::int32_t other_code; ///< a second one that does the same, or 0
+};
+
+std::span<const Key> keys();
+
+/// What an SDL_Keycode does, if anything.
+std::optional<Action> action_of(std::int32_t key_code);
+
+/// The help on the screen, a line per key.
+std::vector<std::string> help_lines();
+
+} // namespace linkdig::tools

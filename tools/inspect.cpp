@@ -1,0 +1,44 @@
+/// `linkdig inspect`: what is in a compiled visual database.
+
+#include "database/format/dump.h"
+#include "database/format/read.h"
+#include "tools/subcommands.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace linkdig::tools {
+
+namespace {
+
+struct InspectOptions {
+    std::string path;
+    bool json = false;
+};
+
+int inspect(const InspectOptions& options) {
+    const database::ReadResult read = database::read_database(options.path);
+    if (!read.database) {
+        fmt::print(stderr, "error: {}\n", read.error);
+        return ExitCode::bad_input;
+    }
+    const auto dump = options.json ? database::dump_json : database::dump_text;
+    fmt::print("{}", dump(*read.database, read.id));
+    return ExitCode::done;
+}
+
+} // namespace
+
+void add_inspect(CLI::App& app, int& exit_code) {
+    const auto options = std::make_shared<InspectOptions>();
+    CLI::App* command = app.add_subcommand("inspect", "Show what is in a compiled visual database");
+    command->add_option("database", options->path, "Compiled visual database (.igdb)")->required();
+    command->add_flag("--json", options->json, "Write JSON: lists, objects, face counts, budgets, extents");
+    command->footer("Example:\n  linkdig inspect first_flight.igdb --json");
+    command->callback([options, &exit_code] { exit_code = inspect(*options); });
+}
+
+} // namespace linkdig::tools

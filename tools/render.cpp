@@ -1,0 +1,112 @@
+/// linkdig render: frames of a scenario as pictures, and as planes that explain them.
+
+#include "tools/flight/arguments.h"
+#include "tools/flight/bad_input.h"
+#include "tools/flight/flight.h"
+#include "tools/flight/planes.h"
+#include "tools/flight/progress.h"
+#include "tools/subcommands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace linkdig::tools {
+namespace {
+
+struct RenderOptions {
+    std::string scenario;
+    std::string frames = "0";
+    std::size_t channel = 0;
+    std::string planes = "colour";
+    std::string out = "out/render";
+    std::optional<std::string> size;
+    std::string profile = "modern";
+    double frames_per_second = 30.0;
+    std::uint32_t threads = 0;
+};
+
+FlightRequest request_of(const RenderOptions& options) {
+    FlightRequest request;
+    request.scenario_path = options.scenario;
+    request.configuration = options.profile == "ames" ? ig::ames_profile() : ig::modern_profile();
+    request.configuration.threads = options.threads;
+    request.configuration.update_rate_hz = options.frames_per_second;
+    if (options.size) {
+        const PictureSize size = parse_size(*options.size);
+        request.configuration.raster.width = size.width;
+        request.configuration.raster.height = size.height;
+    }
+    return request;
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder, error.message()));
+}
+
+int run(const RenderOptions& options) {
+    const FrameRange range = parse_frames(options.frames);
+    const std::vector<ig::Plane> planes = parse_planes(options.planes);
+    Flight flight(request_of(options));
+    if (options.channel >= flight.scenario().channels.size())
+        throw BadInput(
+            fmt::format("linkdig: error: there is no channel {}; the scenario has {}, numbered from 0",
+                        options.channel, flight.scenario().channels.size()));
+    const auto wanted = [&](ig::Plane plane) { return std::ranges::find(planes, plane) != planes.end(); };
+    const bool numbers = std::ranges::any_of(
+        planes, [](ig::Plane plane) { return plane != ig::Plane::colour && plane != ig::Plane::intensity; });
+    flight.machine().draw_planes(wanted(ig::Plane::intensity), numbers);
+    make_folder(options.out);
+    Progress progress(stderr_is_terminal(), range.last - range.first + 1);
+    for (std::uint64_t frame = range.first; frame <= range.last; ++frame) {
+        flight.draw(frame, {});
+        for (const ig::Plane plane : planes)
+            write_plane(plane, flight.database(), flight.machine(), options.channel, options.out, frame);
+        progress.at(frame - range.first + 1);
+    }
+    progress.finish();
+    return ExitCode::done;
+}
+
+} // namespace
+
+void add_render(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* render =
+        app.add_subcommand("render", "Draw frames of a scenario, and planes that explain them");
+    render->add_option("scenario", options->scenario, "Scenario file (.toml)")->required();
+    render->add_option("--frames", options->frames, "FIRST:LAST, both drawn, or one frame")
+        ->capture_default_str();
+    render->add_option("--channel", options->channel, "Channel of the scenario, from 0")
+        ->capture_default_str();
+    render->add_option("--planes", options->planes, "Some of colour,intensity,rank,list,object,face")
+        ->capture_default_str();
+    render->add_option("--out", options->out, "Folder of the files")->capture_default_str();
+    render->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
+    render->add_option("--profile", options->profile, "Machine profile")
+        ->check(CLI::IsMember({"ames", "modern"}))
+        ->capture_default_str();
+    render->add_option("--fps", options->frames_per_second, "Frames a second of simulated time")
+        ->check(CLI::Range(1, 240))
+        ->capture_default_str();
+    render
+        ->add_option("--threads", options->threads,
+                     "Threads of the image generator; 0: as many as the machine has")
+        ->check(CLI::Range(0, 256));
+    render->footer(
+        "colour is PNG, all other planes are OpenEXR: intensity as 32-bit floats 0 to 1, the rest as 32-bit\n"
+        "numbers (rank on the channel; indices into the database's lists, objects and faces), 4294967295\n"
+        "where no face is seen, 4294967294 for a face that the machine made itself (the sea's copies).\n"
+        "Example:\n  linkdig render database/scenes/first_flight/approach.toml --frames 10:20 "
+        "--planes colour,object --out D");
+    render->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+} // namespace linkdig::tools

@@ -1,0 +1,21 @@
+#pragma once
+/// The one binary's subcommands: each file of tools/ adds its own, and sets the exit code when it is the one called.
+
+#include <CLI/CLI.hpp>
+
+namespace linkdig::tools {
+
+/// Exit codes of every subcommand (compare has finer ones of its own).
+enum ExitCode : int {
+    done = 0,
+    differs = 1,     ///< or a check failed
+    bad_input = 2,   ///< or bad usage
+    environment = 3, ///< a file cannot be written, no display, no device
+};
+
+void add_compile(CLI::App& app, int& exit_code);
+void add_inspect(CLI::App& app, int& exit_code);
+void add_demo(CLI::App& app, int& exit_code);
+void add_render(CLI::App& app, int& exit_code);
+
+} // namespace linkdig::tools
