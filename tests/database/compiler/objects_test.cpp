@@ -1,0 +1,201 @@
+/// Objects as authored: normals, mirrors, directions, diagonals, sequences, includes, and the database around
+/// them.
+
+#include "tests/database/compiler/authored.h"
+
+#include "database/format/write.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace linkdig::database {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+VisualDatabase compiled(const std::string& objects) {
+    const CompileResult result = compile_text(scene(objects));
+    EXPECT_TRUE(result.database) << messages(result);
+    return result.database.value_or(VisualDatabase());
+}
+
+const Vertex& vertex(const VisualDatabase& d, const Face& face, std::uint32_t corner) {
+    return d.vertices[d.corners[face.first_corner + corner]];
+}
+
+const std::string head = "[[object]]\nname = \"o\"\nlist = \"list\"\ncolour = \"grey\"\n";
+
+TEST(Objects, VertexNormalsAreTheMedianOfTheAdjacentFaces) {
+    const VisualDatabase d = compiled(
+        head + "shading = \"vertex\"\n[object.vertices_m]\na = [0, 0, 0]\nb = [1, 0, 0]\nc = [1, 1, 0]\nd = "
+               "[0, 1, 0]\n"
+               "e = [1, 0, -1]\nf = [1, 1, -1]\n[[object.face]]\ncorners = [\"a\", \"b\", \"c\", \"d\"]\n"
+               "[[object.face]]\ncorners = [\"b\", \"e\", \"f\", \"c\"]\n");
+    ASSERT_EQ(d.faces.size(), 2U);
+    const float half = std::sqrt(0.5F);
+    for (const Face& face : d.faces)
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const Vertex& v = vertex(d, face, i);
+            const Vec3f expected = v.position.x == 0   ? Vec3f(0, 0, 1)
+                                   : v.position.z == 0 ? Vec3f(half, 0, half)
+                                                       : Vec3f(1, 0, 0);
+            EXPECT_NEAR(glm::distance(v.normal, expected), 0, 1e-6);
+        }
+}
+
+TEST(Objects, NormalsAsGivenAreUnitVectors) {
+    const VisualDatabase d =
+        compiled(head + "shading = \"vertex\"\nvertices_m = { a = [0, 0, 0], b = [1, 0, 0], c = [0, 1, 0] }\n"
+                        "normals = { b = [0, 3, 4] }\n[[object.face]]\ncorners = [\"a\", \"b\", \"c\"]\n");
+    EXPECT_EQ(vertex(d, d.faces[0], 0).normal, Vec3f(0, 0, 1));
+    EXPECT_NEAR(glm::distance(vertex(d, d.faces[0], 1).normal, Vec3f(0, 0.6F, 0.8F)), 0, 1e-6);
+}
+
+TEST(Objects, AMirroredObjectIsClosedAndFacesOutward) {
+    // Port half of a box, its inner side left out: with its image a closed box of 2 x 4 x 2.
+    const VisualDatabase d = compiled(head + "mirror = \"y\"\nshading = \"vertex\"\n[[object.box]]\nfrom_m = "
+                                             "[-1, 0, -1]\nto_m = [1, 2, 1]\nomit = [\"starboard\"]\n");
+    ASSERT_EQ(d.faces.size(), 10U);
+    EXPECT_EQ(d.objects.size(), 1U);
+    EXPECT_EQ(d.vertices.size(), 12U) << "the vertices on the mirror are shared";
+    for (const Face& face : d.faces) {
+        Vec3d centre(0.0);
+        for (std::uint32_t i = 0; i < 4; ++i)
+            centre += 0.25 * Vec3d(vertex(d, face, i).position);
+        const Vec3d a(vertex(d, face, 0).position), b(vertex(d, face, 1).position),
+            c(vertex(d, face, 2).position);
+        const Vec3d normal = glm::normalize(glm::cross(b - a, c - a));
+        EXPECT_NEAR(glm::distance(normal, Vec3d(face.normal)), 0, 1e-6);
+        EXPECT_GT(glm::dot(normal, centre), 0.5);
+    }
+}
+
+TEST(Objects, TheDiagonalStartsTheFan) {
+    const auto first = [](const std::string& diagonal) {
+        const VisualDatabase d =
+            compiled(head +
+                     "vertices_m = { a = [0, 0, 0], b = [1, 0, 0], c = [1, 1, 0], d = [0, 1, 0] }\n"
+                     "[[object.face]]\ncorners = [\"a\", \"b\", \"c\", \"d\"]\n" +
+                     diagonal);
+        return Vec3f(vertex(d, d.faces[0], 0).position);
+    };
+    EXPECT_EQ(first(""), Vec3f(0, 0, 0));
+    EXPECT_EQ(first("diagonal = [\"b\", \"d\"]\n"), Vec3f(1, 0, 0));
+    EXPECT_EQ(first("diagonal = \"d\"\n"), Vec3f(0, 1, 0));
+}
+
+TEST(Objects, FacesReachInfinity) {
+    const VisualDatabase d = compiled(head + "vertices_m = { a = [0, -10, 0], b = [0, 10, 0] }\n"
+                                             "directions = { l = [5, 5, 0], r = [1, -1, 0] }\n"
+                                             "[[object.face]]\ncorners = [\"a\", \"r\", \"l\", \"b\"]\n");
+    ASSERT_EQ(d.faces.size(), 1U);
+    EXPECT_EQ(d.faces[0].normal, Vec3f(0, 0, 1));
+    EXPECT_EQ(vertex(d, d.faces[0], 1).position.w, 0.0F);
+    EXPECT_NEAR(vertex(d, d.faces[0], 2).position.x, std::sqrt(0.5), 1e-6);
+    EXPECT_LT(d.runs[0].radius, 0) << "never culled";
+    EXPECT_THAT(
+        messages(compile_text(scene(head + "vertices_m = { a = [0, -10, 0], b = [0, 10, 0] }\ndirections = { "
+                                           "l = [5, 5, 1], r = [1, -1, 0] }\n"
+                                           "[[object.face]]\ncorners = [\"a\", \"r\", \"l\", \"b\"]\n"))),
+        HasSubstr("is not planar"));
+}
+
+TEST(Objects, SkyFacesLieBehindEverything) {
+    const VisualDatabase d =
+        compiled(head + "directions = { a = [1, -1, 0], b = [1, 1, 0], c = [1, 1, 2], d = [1, -1, 2] }\n"
+                        "[[object.face]]\ncorners = [\"b\", \"a\", \"d\", \"c\"]\n"
+                        "[[object.box]]\nfrom_m = [0, 0, 0]\nto_m = [1, 1, 1]\n");
+    ASSERT_EQ(d.faces.size(), 7U);
+    EXPECT_EQ(d.run_leaves.size(), 1U);
+    EXPECT_LT(d.faces.back().normal.x, -0.5F) << "its normal points at the eye";
+    EXPECT_THAT(
+        messages(compile_text(scene(head + "directions = { a = [1, -1, 0], b = [1, 1, 0], c = [1, 1, 2] "
+                                           "}\n[[object.face]]\ncorners = [\"a\", \"b\", \"c\"]\n"))),
+        HasSubstr("counter-clockwise seen from the front"));
+}
+
+const std::string sequence = "[[slot]]\nname = \"wake\"\nalternatives = 5\n[[sequence]]\nname = \"w\"\nlist "
+                             "= \"list\"\nslot = \"wake\"\ncolour = \"grey\"\n";
+
+TEST(Sequences, InterpolateBetweenTheirKeys) {
+    const std::string keys = "[[sequence.key]]\nframe = 1\ncorners_m = [[0, 1, 0], [1, 1, 0], [1, 1, 1]]\n"
+                             "[[sequence.key]]\nframe = 3\ncorners_m = [[0, 1, 0], [3, 1, 0], [3, 1, 3]]\n"
+                             "[[sequence.key]]\nframe = 5\ncorners_m = [[0, 1, 0], [1, 1, 0], [1, 1, 1]]\n";
+    const VisualDatabase d = compiled(sequence + keys);
+    ASSERT_EQ(d.faces.size(), 5U);
+    ASSERT_EQ(d.runs.size(), 5U);
+    const float widths[] = {1, 2, 3, 2, 1};
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(d.runs[i].alternative, i);
+        EXPECT_EQ(d.runs[i].slot, 0);
+        const Face& face = d.faces[d.runs[i].first_face];
+        EXPECT_EQ(vertex(d, face, 1).position.x, widths[i]);
+        EXPECT_EQ(face.two_sided, 1);
+        EXPECT_EQ(d.objects[face.object].name, fmt::format("w.{}", i + 1));
+        EXPECT_EQ(d.objects[face.object].alternative, i);
+    }
+    const VisualDatabase mirrored = compiled(sequence + "mirror = \"y\"\n" + keys);
+    for (const Vertex& each : mirrored.vertices)
+        EXPECT_EQ(each.position.y, -1.0F);
+    EXPECT_EQ(mirrored.faces[0].normal, Vec3f(0, -d.faces[0].normal.y, 0));
+}
+
+TEST(Sequences, TellOfKeysThatDoNotFit) {
+    const auto said = [](const std::string& keys) { return messages(compile_text(scene(sequence + keys))); };
+    const auto key = [](int frame, const char* corners = "[[0, 0, 0], [1, 0, 0], [1, 0, 1]]") {
+        return fmt::format("[[sequence.key]]\nframe = {}\ncorners_m = {}\n", frame, corners);
+    };
+    EXPECT_THAT(said(key(1) + key(4)), HasSubstr("do not reach from 1 to 5"));
+    EXPECT_THAT(said(key(1) + key(5) + key(3)),
+                HasSubstr("the key frame 3 follows 5; expected ascending frames"));
+    EXPECT_THAT(said(key(1) + key(6)), HasSubstr("\"frame\" is 6; expected 1 to 5"));
+    EXPECT_THAT(said(key(1) + key(5, "[[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1]]")),
+                HasSubstr("has 4 corners and the first one 3"));
+    EXPECT_THAT(said(key(1) + key(5, "[[0, 0, 0], [1, 0, 0]]")), HasSubstr("has 2 corners; expected 3"));
+}
+
+TEST(Clusters, AreBoxedByTheirContents) {
+    const VisualDatabase d = compiled(head + "[[object.box]]\nfrom_m = [0, -2, 1]\nto_m = [10, 2, 3]\n");
+    EXPECT_EQ(d.clusters[0].reference_point_m, Vec3d(5, 0, 2));
+    EXPECT_EQ(d.clusters[0].half_extent_m, Vec3f(5, 2, 1));
+}
+
+TEST(Tiles, HoldTheirTablesOfNormals) {
+    const VisualDatabase d = compiled(
+        "[[tile]]\nlist = \"list\"\nperiod = 16\ncell_m = 50\nrings = 8\nfine_levels = 2\nhalf_width = 16\n"
+        "vertical_angle_deg = 60\ncolour = \"grey\"\nseed = 1\n");
+    ASSERT_EQ(d.tiles.size(), 1U);
+    EXPECT_EQ(d.lists[0].tile, 0);
+    EXPECT_EQ(d.tile_normals.size(), 512U);
+    EXPECT_EQ(d.tiles[0].first_face_normal, 256U);
+    EXPECT_NEAR(d.tile_normals[300].z, std::sin(3.14159265358979 / 3), 1e-6);
+    EXPECT_EQ(d.objects.size(), 1U) << "whose faces the tile's are";
+}
+
+TEST(Includes, ContributeOnceAndFirst) {
+    const ScratchFolder folder;
+    folder.write("lib/colours.toml", "[[colour]]\nname = \"first\"\nrgb = [1, 1, 1]\n");
+    folder.write("lib/part.toml",
+                 "include = [\"colours.toml\"]\n[[colour]]\nname = \"second\"\nrgb = [2, 2, 2]\n");
+    const std::string root = folder.write(
+        "root.toml", "include = [\"lib/part.toml\", \"lib/../lib/colours.toml\"]\n[database]\nname = "
+                     "\"t\"\n[[colour]]\nname = \"third\"\nrgb = [3, 3, 3]\n");
+    const CompileResult result = compile_file(root);
+    ASSERT_TRUE(result.database) << messages(result);
+    EXPECT_THAT(result.database->colour_names, ElementsAre("first", "second", "third"));
+    EXPECT_THAT(result.database->source_files, ElementsAre("lib/colours.toml", "lib/part.toml", "root.toml"));
+}
+
+TEST(Compile, GivesTheSameBytesWhereverTheFilesStand) {
+    const std::string text = scene(head + "[[object.box]]\nfrom_m = [0, -2, 1]\nto_m = [10, 2, 3]\n");
+    const ScratchFolder folder;
+    const CompileResult one = compile_file(folder.write("here/root.toml", text));
+    const CompileResult two = compile_file(folder.write("some/where/else/root.toml", text));
+    ASSERT_TRUE(one.database && two.database);
+    EXPECT_EQ(*one.database, *two.database);
+    EXPECT_EQ(encode_database(*one.database), encode_database(*two.database));
+}
+
+} // namespace
+} // namespace linkdig::database

@@ -1,0 +1,112 @@
+/// The second opinions on what geometry really delivers: clipped, snapped, far and close faces of whole
+/// scenes.
+
+#include "database/compiler/compile.h"
+#include "database/format/name_directory.h"
+#include "host/loop/host_loop.h"
+#include "host/scenario/scenario.h"
+#include "ig/active/activate.h"
+#include "ig/geometry/project.h"
+#include "ig/priority/prioritise.h"
+#include "tests/ig/random_scene.h"
+#include "tests/ig/random_scene_stages.h"
+#include "tests/ig/small_database.h"
+#include "tests/support/painter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace linkdig::ig {
+namespace {
+
+/// What geometry makes of a packet's first channel.
+Scene scene_of(const VisualDatabase& database, const FramePacket& packet, const Raster& raster) {
+    Configuration configuration;
+    configuration.raster = raster;
+    ActiveDatabase active;
+    activate(database, packet, configuration, active);
+    PriorityScratch priority_scratch;
+    PriorityOrder order;
+    prioritise(active, packet.channels[0], priority_scratch, order);
+    GeometryScratch geometry_scratch;
+    Scene scene;
+    scene.raster = raster;
+    scene.colours = database.colours;
+    project(active, order, packet.channels[0], raster, geometry_scratch, scene.projected);
+    return scene;
+}
+
+/// The bounds of ig/geometry/projected_face.h, and corners that run the right way round.
+void expect_contract(const ProjectedFaces& projected) {
+    for (const RasterPoint& point : projected.points) {
+        ASSERT_LE(std::abs(point.line), greatest_coordinate);
+        ASSERT_LE(std::abs(point.element), greatest_coordinate);
+    }
+    for (const ProjectedFace& face : projected.faces) {
+        ASSERT_GE(face.point_count, 3);
+        ASSERT_GT(doubled_area(std::span(projected.points).subspan(face.first_point, face.point_count)), 0);
+        ASSERT_GE(face.intensity, 0);
+        ASSERT_LE(face.intensity, intensity_one);
+    }
+}
+
+TEST(PainterAgainstGeometry, sea_from_all_attitudes) {
+    const VisualDatabase database = sea_database();
+    RandomStream random(11);
+    std::size_t faces = 0;
+    for (int i = 0; i < 12; ++i) {
+        SCOPED_TRACE("view " + std::to_string(i));
+        FramePacket packet;
+        const double height = i % 3 == 0 ? random.between(0.3, 3.0) : random.between(3.0, 300.0);
+        const Vec3d eye(random.between(-1e4, 1e4), random.between(-1e4, 1e4), height);
+        packet.channels = {channel_at(eye, random.between(0.0, 360.0), random.between(-90.0, 20.0),
+                                      random.between(-180.0, 180.0))};
+        packet.suns = {Vec3f(direction(random.between(0.0, two_pi), 0.6))};
+        const Scene scene =
+            scene_of(database, packet, {160, 120, i % 2 == 0 ? Scan::horizontal : Scan::vertical});
+        faces += scene.projected.faces.size();
+        expect_contract(scene.projected);
+        expect_agreement(scene);
+        // Squares, rings and the horizon are one mesh: whoever turns over the sea sees no pixel of it twice.
+        const std::vector<std::uint32_t> count = support::coverage(scene.projected, scene.raster);
+        EXPECT_EQ(*std::max_element(count.begin(), count.end()), 1U);
+    }
+    EXPECT_GT(faces, 5000U);
+}
+
+TEST(PainterAgainstGeometry, the_sea_has_no_gap) {
+    const VisualDatabase database = sea_database();
+    RandomStream random(12);
+    for (int i = 0; i < 12; ++i) {
+        SCOPED_TRACE("view " + std::to_string(i));
+        FramePacket packet;
+        const Vec3d eye(random.between(-1e4, 1e4), random.between(-1e4, 1e4), random.between(0.5, 500.0));
+        // The channel sees 30 degrees up and down (42 to its corners): from 43 down there is nothing but sea.
+        packet.channels = {channel_at(eye, random.between(0.0, 360.0), random.between(-90.0, -43.0),
+                                      random.between(-180.0, 180.0))};
+        packet.suns = {Vec3f(direction(0.0, 0.6))};
+        const Scene scene =
+            scene_of(database, packet, {160, 160, i % 2 == 0 ? Scan::horizontal : Scan::vertical});
+        EXPECT_EQ(support::coverage(scene.projected, scene.raster), std::vector<std::uint32_t>(160 * 160, 1));
+    }
+}
+
+TEST(PainterAgainstGeometry, the_shipped_flight) {
+    const host::ScenarioResult loaded =
+        host::load_scenario(LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml");
+    ASSERT_TRUE(loaded.scenario) << loaded.diagnostics.text();
+    const database::CompileResult compiled = database::compile_file(loaded.scenario->database_path);
+    ASSERT_TRUE(compiled.database) << compiled.diagnostics.text();
+    host::HostLoop loop(*loaded.scenario, database::name_directory(*compiled.database, 0), 30.0);
+    for (const std::uint64_t frame : {0U, 250U, 450U, 599U}) {
+        SCOPED_TRACE("frame " + std::to_string(frame));
+        const Scan scan = frame == 250 ? Scan::vertical : Scan::horizontal;
+        const Scene scene = scene_of(*compiled.database, loop.packet(frame, {}), {320, 240, scan});
+        expect_contract(scene.projected);
+        expect_agreement(scene);
+    }
+}
+
+} // namespace
+} // namespace linkdig::ig

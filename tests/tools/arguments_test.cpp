@@ -1,0 +1,64 @@
+#include "tools/flight/arguments.h"
+#include "tools/flight/planes.h"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+namespace linkdig::tools {
+namespace {
+
+template <class Call>
+std::string complaint(const Call& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Arguments, Sizes) {
+    EXPECT_EQ(parse_size("1280x720").width, 1280U);
+    EXPECT_EQ(parse_size("1280x720").height, 720U);
+    EXPECT_EQ(parse_size("4096x16").width, 4096U);
+    for (const char* wrong : {"", "x", "1280", "1280x", "x720", "1280x720 ", "1280x720x3", "-1x20", "15x100",
+                              "100x4097", "1e3x100", "99999999999x16"})
+        EXPECT_EQ(complaint([&] { parse_size(wrong); }),
+                  std::string("'") + wrong +
+                      "' is no picture size; expected WIDTHxHEIGHT, 16 to 4096 pixels each");
+}
+
+TEST(Arguments, Frames) {
+    EXPECT_EQ(parse_frames("10:20").first, 10U);
+    EXPECT_EQ(parse_frames("10:20").last, 20U);
+    EXPECT_EQ(parse_frames("7").first, 7U);
+    EXPECT_EQ(parse_frames("7").last, 7U);
+    EXPECT_EQ(parse_frames("0:0").last, 0U);
+    for (const char* wrong : {"", ":", "1:", ":2", "2:1", "a:b", "1:2:3", "-1:2", "1.5"})
+        EXPECT_THAT(complaint([&] { parse_frames(wrong); }),
+                    testing::HasSubstr("is no range of frames; expected"))
+            << wrong;
+}
+
+TEST(Arguments, Planes) {
+    EXPECT_THAT(parse_planes("colour,face,rank"),
+                testing::ElementsAre(ig::Plane::colour, ig::Plane::face, ig::Plane::rank));
+    EXPECT_THAT(parse_planes("object"), testing::ElementsAre(ig::Plane::object));
+    EXPECT_EQ(
+        complaint([] { parse_planes("colour,depth"); }),
+        "there is no plane named 'depth'; expected some of colour, intensity, rank, list, object, face");
+    for (const char* wrong : {"", ",", "colour,", ",colour", "colour, rank", "Colour"})
+        EXPECT_NE(complaint([&] { parse_planes(wrong); }), "") << wrong;
+    for (const ig::Plane plane : {ig::Plane::colour, ig::Plane::intensity, ig::Plane::rank, ig::Plane::list,
+                                  ig::Plane::object, ig::Plane::face})
+        EXPECT_THAT(parse_planes(plane_name(plane)), testing::ElementsAre(plane));
+}
+
+TEST(Planes, IntensitiesAreExactAndTheBackgroundIsBlack) {
+    EXPECT_THAT(intensities(std::vector<std::int32_t>{-1, 0, 1, (1 << 22) - 1, 1 << 22}),
+                testing::ElementsAre(0.0F, 0.0F, 1.0F / 4194304, 4194303.0F / 4194304, 1.0F));
+}
+
+} // namespace
+} // namespace linkdig::tools

@@ -1,0 +1,119 @@
+#include "tests/tools/pictures.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <sys/wait.h>
+
+namespace linkdig::tools {
+namespace {
+
+using testing::HasSubstr;
+
+struct Outcome {
+    int exit_code = -1;
+    std::string output;
+    std::string errors;
+};
+
+/// Runs the binary as a person would, without a display.
+Outcome run(const std::string& arguments) {
+    const TemporaryFolder folder;
+    const std::string errors = folder.file("errors");
+    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER " LINKDIG_BINARY " " +
+                                arguments + " 2>" + errors;
+    Outcome outcome;
+    FILE* pipe = popen(command.c_str(), "r");
+    std::array<char, 4096> buffer{};
+    while (pipe != nullptr && std::fgets(buffer.data(), buffer.size(), pipe) != nullptr)
+        outcome.output += buffer.data();
+    if (pipe != nullptr) outcome.exit_code = WEXITSTATUS(pclose(pipe));
+    outcome.errors = bytes_of(errors);
+    return outcome;
+}
+
+const std::string scenario = LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml";
+
+TEST(CommandLine, HelpAndVersionAreNoMistakes) {
+    const Outcome help = run("--help");
+    EXPECT_EQ(help.exit_code, 0);
+    for (const char* name : {"demo", "compile", "inspect", "render"}) {
+        EXPECT_THAT(help.output, HasSubstr(name));
+        const Outcome own = run(std::string(name) + " --help");
+        EXPECT_EQ(own.exit_code, 0);
+        EXPECT_THAT(own.output, testing::ContainsRegex(std::string("Example:[ \n]+linkdig ") + name));
+    }
+    const Outcome version = run("--version");
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_THAT(version.output, testing::MatchesRegex("linkdig [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+struct Mistake {
+    const char* arguments;
+    const char* told;
+};
+
+TEST(CommandLine, MistakesAreToldOnStderrWithCode2) {
+    for (const Mistake& each : {
+             Mistake{"", "subcommand is required"},
+             Mistake{"dmo", "unknown subcommand 'dmo'; expected one of: demo, compile, inspect, render"},
+             Mistake{"demo --frmes 3", "--frmes"},
+             Mistake{"demo --frames 0", "--frames"},
+             Mistake{"demo --headless --size 10", "'10' is no picture size"},
+             Mistake{"demo --profile 1979", "--profile"},
+             Mistake{"demo --fps 0", "--fps"},
+             Mistake{"demo --threads 257", "--threads"},
+             Mistake{"render", "scenario is required"},
+             Mistake{"render /nowhere.toml", "/nowhere.toml"},
+         }) {
+        const Outcome outcome = run(each.arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << each.arguments;
+        EXPECT_EQ(outcome.output, "") << each.arguments;
+        EXPECT_THAT(outcome.errors, HasSubstr(each.told)) << each.arguments;
+    }
+}
+
+TEST(CommandLine, ValuesOfRenderAreChecked) {
+    EXPECT_THAT(run("render " + scenario + " --planes depth").errors, HasSubstr("no plane named 'depth'"));
+    EXPECT_THAT(run("render " + scenario + " --frames 3:2").errors, HasSubstr("'3:2' is no range of frames"));
+    const Outcome outcome = run("render " + scenario + " --channel 7");
+    EXPECT_THAT(outcome.errors, HasSubstr("there is no channel 7"));
+    EXPECT_EQ(outcome.exit_code, 2);
+}
+
+TEST(CommandLine, AFolderThatCannotBeMadeIsTheEnvironments) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.file("file")) << "in the way";
+    const std::string out = folder.file("file/below");
+    const Outcome demo = run("demo --headless --frames 1 --size 16x16 --out " + out);
+    EXPECT_EQ(demo.exit_code, 3);
+    EXPECT_THAT(demo.errors, HasSubstr(out + ": cannot be made"));
+    const Outcome render = run("render " + scenario + " --size 16x16 --out " + out);
+    EXPECT_EQ(render.exit_code, 3);
+    EXPECT_THAT(render.errors, HasSubstr(out + ": cannot be made"));
+}
+
+TEST(CommandLine, ScenesThatAreNotThereAreNamed) {
+    const TemporaryFolder folder;
+    setenv("LINKDIG_SCENES", folder.file("none").c_str(), 1);
+    const Outcome outcome = run("demo --headless --frames 1");
+    unsetenv("LINKDIG_SCENES");
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_THAT(outcome.errors,
+                HasSubstr("LINKDIG_SCENES names " + folder.file("none") + ", which is no folder"));
+}
+
+TEST(CommandLine, AMistakeInAScenarioHasItsPlace) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.file("wrong.toml")) << "[scenario]\nname = 3\n";
+    const Outcome outcome = run("render " + folder.file("wrong.toml") + " --out " + folder.file("out"));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr(folder.file("wrong.toml") + ":2:8: error: "));
+    EXPECT_FALSE(std::filesystem::exists(folder.file("out")));
+}
+
+} // namespace
+} // namespace linkdig::tools
