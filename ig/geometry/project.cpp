@@ -1,5 +1,7 @@
 #include "ig/geometry/project.h"
 
+#include "ig/geometry/depth_plane.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,10 +28,10 @@ double snap(double value) { return std::floor(value + 0.5); }
 
 class Projector {
 public:
-    Projector(const ActiveDatabase& active, const ChannelView& channel, const Raster& raster,
+    Projector(const ActiveDatabase& active, const ChannelView& channel, const Raster& raster, bool with_depth,
               GeometryScratch& scratch, ProjectedFaces& projected)
-        : active_(active), view_(view_of(channel, raster)), scratch_(scratch), out_(projected),
-          last_line_(256 * static_cast<std::int32_t>(raster.lines())),
+        : active_(active), view_(view_of(channel, raster)), with_depth_(with_depth), scratch_(scratch),
+          out_(projected), last_line_(256 * static_cast<std::int32_t>(raster.lines())),
           last_element_(256 * static_cast<std::int32_t>(raster.elements())) {
         side_length_[0] = std::sqrt(1.0 + view_.left * view_.left);
         side_length_[1] = std::sqrt(1.0 + view_.right * view_.right);
@@ -138,12 +140,21 @@ private:
         for (std::uint32_t k = 0; k < face.corner_count; ++k)
             all &= see(corners[k]).outside;
         if ((all & frustum_sides) != 0) return;
+        depth_ = with_depth_ && !block_->at_eye ? put_depth(corners, face.corner_count) : -1;
         if (face.shading == Shading::vertex && block_->smooth) {
             put_smooth(corners, face.corner_count);
         } else {
             put_flat(corners, face.corner_count,
                      face.shading == Shading::unshaded ? intensity_one : lit_intensity(*block_, face.normal));
         }
+    }
+
+    std::int32_t put_depth(const std::uint32_t* corners, std::uint32_t count) {
+        scratch_.polygon.clear();
+        for (std::uint32_t k = 0; k < count; ++k)
+            scratch_.polygon.push_back(see(corners[k]).point);
+        out_.depths.push_back(depth_plane(view_, scratch_.polygon));
+        return static_cast<std::int32_t>(out_.depths.size() - 1);
     }
 
     void put_flat(const std::uint32_t* corners, std::uint32_t count, std::int32_t intensity) {
@@ -312,11 +323,13 @@ private:
                               .triangle = triangle,
                               .intensity = intensity,
                               .block = block_index_,
-                              .face = face_index_});
+                              .face = face_index_,
+                              .depth = depth_});
     }
 
     const ActiveDatabase& active_;
     View view_;
+    bool with_depth_;
     GeometryScratch& scratch_;
     ProjectedFaces& out_;
     std::int32_t last_line_;
@@ -328,6 +341,7 @@ private:
     Mat3d channel_from_list_{1.0};
     Vec3d origin_{0}; ///< of the list, channel frame
     std::uint32_t face_index_ = 0;
+    std::int32_t depth_ = -1;
     std::uint16_t colour_ = 0;
     bool two_sided_ = false;
 };
@@ -342,12 +356,13 @@ std::int32_t lit_intensity(const FaceBlock& block, const Vec3f& normal) {
 }
 
 void project(const ActiveDatabase& active, const PriorityOrder& order, const ChannelView& channel,
-             const Raster& raster, GeometryScratch& scratch, ProjectedFaces& projected) {
+             const Raster& raster, bool with_depth, GeometryScratch& scratch, ProjectedFaces& projected) {
     projected.faces.clear();
     projected.points.clear();
     projected.triangles.clear();
+    projected.depths.clear();
     projected.offered = 0;
-    Projector(active, channel, raster, scratch, projected).run(order);
+    Projector(active, channel, raster, with_depth, scratch, projected).run(order);
 }
 
 } // namespace linkdig::ig

@@ -33,9 +33,10 @@ struct GeometryScratch {
     std::vector<ClipPoint> spare;
 };
 
-/// Projects the present faces in priority order. The result's order is the rank.
+/// Projects the present faces in priority order. The result's order is the rank. Depth planes are made where range
+/// plays a part (limited visibility), and never for what is centred on the eye.
 void project(const ActiveDatabase& active, const PriorityOrder& order, const ChannelView& channel,
-             const Raster& raster, GeometryScratch& scratch, ProjectedFaces& projected);
+             const Raster& raster, bool with_depth, GeometryScratch& scratch, ProjectedFaces& projected);
 
 /// Intensity of a normal under a block's light: ambient + diffuse * max(0, n.s), clamped to [0, 1], 1.0 =
 /// 2^22.

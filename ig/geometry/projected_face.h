@@ -35,6 +35,16 @@ struct IntensityTriangle {
     std::int32_t intensity[3] = {0, 0, 0};
 };
 
+/// Where a face's plane lies, as seen: 1/z is linear on the screen, z along the line of sight, metres. Taken from the
+/// unsnapped face before any clipping; shared by the pieces that the face is cut into.
+struct DepthPlane {
+    double inverse_m = 0; ///< 1/z at the centre of pixel (line 0, element 0)
+    double across = 0;    ///< per line
+    double along = 0;     ///< per element
+    double nearest_m = 0; ///< bounds of the range (Euclidean) over the face; farthest may be infinite
+    double farthest_m = 0;
+};
+
 /// One convex polygon on the raster. Corners run so that its signed area is positive in (element, line)
 /// coordinates with line down.
 struct ProjectedFace {
@@ -45,12 +55,14 @@ struct ProjectedFace {
     std::int32_t intensity = intensity_one; ///< of a flat face
     std::uint32_t block = 0;                ///< into ActiveDatabase::blocks
     std::uint32_t face = 0;                 ///< into that block's faces
+    std::int32_t depth = -1;                ///< into ProjectedFaces::depths, or -1: range plays no part
 };
 
 struct ProjectedFaces {
     std::vector<ProjectedFace> faces; ///< ascending rank: the index is the rank on this channel
     std::vector<RasterPoint> points;
     std::vector<IntensityTriangle> triangles;
+    std::vector<DepthPlane> depths;
     std::uint64_t offered = 0; ///< faces looked at
 };
 

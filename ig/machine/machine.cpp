@@ -42,6 +42,7 @@ struct Channel {
     ProjectedFaces projected;
     FaceEdges edges;
     Bands bands;
+    Air air;
     std::vector<BandCounts> counts;
     VideoFrame picture;
 };
@@ -123,7 +124,10 @@ struct Machine::State {
     void draw(const FramePacket& packet, const ChannelView& view, Channel& channel, ChannelReport& counts) {
         const Raster& raster = configuration.raster;
         prioritise(active, view, channel.priority_scratch, channel.order);
-        project(active, channel.order, view, raster, channel.geometry_scratch, channel.projected);
+        channel.air.prepare(view_of(view, raster), raster, static_cast<double>(packet.visibility_m),
+                            background_of(packet));
+        project(active, channel.order, view, raster, !channel.air.clear(), channel.geometry_scratch,
+                channel.projected);
         make_edges(channel.projected, raster, channel.edges);
         sort_into_bands(channel.edges, raster.lines(), channel.bands);
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
@@ -133,7 +137,8 @@ struct Machine::State {
 
     void draw_bands(const FramePacket& packet, Channel& channel) {
         const Raster& raster = configuration.raster;
-        const VideoInput input{&channel.projected, &channel.edges, database.colours, background_of(packet)};
+        const VideoInput input{&channel.projected, &channel.edges, database.colours, background_of(packet),
+                               &channel.air};
         const std::uint32_t bands = band_count(raster.lines());
         channel.counts.assign(bands, {});
         const auto draw_one = [&](std::uint32_t band, BandWorker& worker) {

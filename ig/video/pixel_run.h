@@ -6,6 +6,7 @@
 
 #include "database/model/visual_database.h"
 #include "ig/edges/edge.h"
+#include "ig/video/fog.h"
 
 #include <cstdint>
 #include <string>
@@ -26,6 +27,37 @@ inline std::uint32_t shade(Colour colour, std::int32_t intensity) {
 /// Shades `count` pixels of a line from `element` on.
 void shade_run(const IntensityPlane& plane, Colour colour, std::int32_t line, std::int32_t element,
                std::uint32_t count, std::uint32_t* pixels);
+
+/// The same seen through air of a transmission (1.0 = 32767): face and horizon with 7 fraction bits, rounded once more
+/// when they are added.
+inline std::uint32_t shade_through_air(Colour colour, std::int32_t intensity, std::int32_t transmission,
+                                       Colour horizon) {
+    const std::uint32_t i = static_cast<std::uint32_t>(intensity) >> 7U;
+    const std::uint32_t scale = i > 32767U ? 32767U : i;
+    const auto t = static_cast<std::uint32_t>(transmission);
+    const auto component = [&](std::uint32_t code, std::uint32_t horizon_code) {
+        constexpr std::uint32_t half = 1U << 14U;
+        const std::uint32_t face = ((code << 7U) * scale + half) >> 15U;
+        const std::uint32_t seen = (face * t + half) >> 15U;
+        const std::uint32_t air = ((horizon_code << 7U) * (32767U - t) + half) >> 15U;
+        return (seen + air + 64U) >> 7U;
+    };
+    return component(colour.red, horizon.red) | component(colour.green, horizon.green) << 8U |
+           component(colour.blue, horizon.blue) << 16U | 0xff000000U;
+}
+
+/// Shades a run through air of one transmission.
+void shade_run_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
+                       std::int32_t line, std::int32_t element, std::uint32_t count, std::uint32_t* pixels);
+
+/// Shades a run whose range is taken at every pixel.
+void shade_run_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
+                      std::int32_t line, std::int32_t element, std::uint32_t count, std::uint32_t* pixels);
+
+/// Transmission of one pixel, as the runs compute it: 1/z is taken in double at the start of each 64 elements and in
+/// float from there, so that it depends on the pixel alone.
+std::int32_t transmission_of(const DepthPlane& depth, const Air& air, std::int32_t line,
+                             std::int32_t element);
 
 /// SIMD levels of this build that the machine has, best first; the last is always "scalar".
 std::vector<std::string> simd_levels();

@@ -65,6 +65,37 @@ private:
     std::uint32_t* start_ = nullptr;
 };
 
+/// A flat face's intensity as a plane that does not slope.
+IntensityPlane level_plane(std::int32_t intensity) {
+    return {.value = static_cast<std::uint32_t>(intensity), .least = intensity, .greatest = intensity};
+}
+
+void draw_segment(const VideoInput& input, const ProjectedFace& face, const IntensityPlane& intensity,
+                  const Segment& segment, std::uint32_t* pixels) {
+    const Colour colour = input.colours[face.colour];
+    const Air& air = *input.air;
+    const bool level = intensity.least == intensity.greatest;
+    if (air.clear() || face.depth < 0) {
+        if (level) {
+            std::fill_n(pixels, segment.count, shade(colour, intensity.least));
+        } else {
+            shade_run(intensity, colour, segment.line, segment.first, segment.count, pixels);
+        }
+        return;
+    }
+    const DepthPlane& depth = input.projected->depths[static_cast<std::size_t>(face.depth)];
+    std::int32_t transmission = 0;
+    if (!air.is_flat(depth, transmission)) {
+        shade_run_in_air(intensity, colour, depth, air, segment.line, segment.first, segment.count, pixels);
+    } else if (level) {
+        std::fill_n(pixels, segment.count,
+                    shade_through_air(colour, intensity.least, transmission, air.horizon()));
+    } else {
+        shade_run_in_haze(intensity, colour, transmission, air.horizon(), segment.line, segment.first,
+                          segment.count, pixels);
+    }
+}
+
 } // namespace
 
 void open_frame(const Raster& raster, bool intensity, bool rank, VideoFrame& frame) {
@@ -81,16 +112,11 @@ void draw_band(const VideoInput& input, const Raster& raster, const BandSegments
     const BeamBuffer beam(raster, band, scratch, frame);
     for (const Segment& segment : band.segments) {
         const ProjectedFace& face = input.projected->faces[segment.face];
-        const Colour colour = input.colours[face.colour];
         const std::int32_t plane = input.edges->faces[segment.face].plane;
-        if (plane >= 0) {
-            const IntensityPlane& intensity = input.edges->planes[static_cast<std::size_t>(plane)];
-            shade_run(intensity, colour, segment.line, segment.first, segment.count, beam.at(segment));
-            plane_intensities(raster, intensity, segment, frame);
-        } else {
-            std::fill_n(beam.at(segment), segment.count, shade(colour, face.intensity));
-            fill_plane(raster, segment, face.intensity, frame.intensity);
-        }
+        const IntensityPlane intensity =
+            plane >= 0 ? input.edges->planes[static_cast<std::size_t>(plane)] : level_plane(face.intensity);
+        draw_segment(input, face, intensity, segment, beam.at(segment));
+        plane_intensities(raster, intensity, segment, frame);
         fill_plane(raster, segment, static_cast<std::int32_t>(segment.face), frame.rank);
     }
     for (const Segment& segment : band.background) {

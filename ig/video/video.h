@@ -19,6 +19,7 @@ struct VideoInput {
     const FaceEdges* edges = nullptr;
     std::span<const Colour> colours;
     Colour background;
+    const Air* air = nullptr;
 };
 
 /// Sizes the frame; planes that are wanted are sized, others emptied. Contents are undefined until every band

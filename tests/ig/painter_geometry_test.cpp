@@ -33,7 +33,7 @@ Scene scene_of(const VisualDatabase& database, const FramePacket& packet, const 
     Scene scene;
     scene.raster = raster;
     scene.colours = database.colours;
-    project(active, order, packet.channels[0], raster, geometry_scratch, scene.projected);
+    project(active, order, packet.channels[0], raster, false, geometry_scratch, scene.projected);
     return scene;
 }
 

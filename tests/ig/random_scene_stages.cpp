@@ -23,7 +23,8 @@ Drawn draw(const Scene& scene, std::uint32_t threads) {
     sort_into_bands(drawn.edges, lines, bands);
     open_frame(scene.raster, true, true, drawn.picture);
     drawn.bands.resize(band_count(lines));
-    const VideoInput input{&scene.projected, &drawn.edges, scene.colours, scene.background};
+    const Air clear;
+    const VideoInput input{&scene.projected, &drawn.edges, scene.colours, scene.background, &clear};
     const auto draw_bands_from = [&](std::uint32_t first) {
         BandScratch scratch;
         VideoScratch video_scratch;
