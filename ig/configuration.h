@@ -23,6 +23,8 @@ struct Configuration {
     const char* name = "modern";
     Raster raster;
     double update_rate_hz = 60.0;
+    /// Pixels that an edge crosses show each face by its share of their area.
+    bool edge_smoothing = false;
     /// Threads that draw bands; 0: as many as the machine has. The picture does not depend on it.
     std::uint32_t threads = 0;
 };

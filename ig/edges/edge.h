@@ -23,6 +23,18 @@ struct Edge {
     std::int64_t slope = 0;
 };
 
+/// One edge of a face's outline, for areas instead of centres: its position at the border above line n, in
+/// 1/256 pixel, is (start + (n - first_border) * slope) >> 40. Horizontal edges bound no area and are left
+/// out.
+struct OutlineEdge {
+    std::int32_t upper_line = 0, upper_element = 0; ///< snapped end points, 1/256 pixel
+    std::int32_t lower_line = 0, lower_element = 0;
+    std::int32_t first_border = 0; ///< first line whose upper border lies at or below the upper end
+    std::int32_t sign = 1;         ///< 1 where the face begins, -1 where it ends
+    std::int64_t start = 0;
+    std::int64_t slope = 0;
+};
+
 /// Intensity of a pixel: value + (element - reference_element) * along + (line - reference_line) * across,
 /// modulo 2^32, 1.0 = 2^22, then clamped to [least, greatest], the range of the face's own corners.
 struct IntensityPlane {
@@ -43,13 +55,19 @@ struct EdgeFace {
     std::uint16_t trailing = 0;
     std::int32_t first_line = 0; ///< lines it touches, within the raster
     std::int32_t end_line = 0;
-    std::int32_t plane = -1; ///< into FaceEdges::planes, or -1: flat
+    std::int32_t plane = -1;         ///< into FaceEdges::planes, or -1: flat
+    std::uint32_t first_outline = 0; ///< into FaceEdges::outlines; with edge smoothing alone
+    std::uint32_t outlines = 0;
+    bool blends = false; ///< semi-opaque or additive: others show through it
+    bool additive = false;
+    std::uint16_t opacity = 256; ///< of 256
 };
 
 /// Parallel to ProjectedFaces::faces.
 struct FaceEdges {
     std::vector<EdgeFace> faces;
     std::vector<Edge> edges;
+    std::vector<OutlineEdge> outlines;
     std::vector<IntensityPlane> planes;
 };
 

@@ -91,44 +91,116 @@ IntensityPlane make_plane(const IntensityTriangle& t, std::int32_t line, std::in
     return plane;
 }
 
-} // namespace
+/// The edge as part of an outline: positions at the borders between lines, rounded to the nearest 1/256 pixel.
+OutlineEdge make_outline_edge(const RasterPoint& upper, const RasterPoint& lower, std::int32_t sign) {
+    OutlineEdge edge{.upper_line = upper.line,
+                     .upper_element = upper.element,
+                     .lower_line = lower.line,
+                     .lower_element = lower.element,
+                     .first_border = (upper.line + 255) >> 8,
+                     .sign = sign};
+    const std::int64_t height = lower.line - upper.line;
+    const std::int64_t width = static_cast<std::int64_t>(lower.element) - upper.element;
+    const std::int64_t down = std::int64_t{edge.first_border} * 256 - upper.line;
+    constexpr std::uint64_t half = std::uint64_t{1} << (fraction_bits - 1);
+    edge.start =
+        static_cast<std::int64_t>((static_cast<std::uint64_t>(std::int64_t{upper.element}) << fraction_bits) +
+                                  fixed_quotient(down * width, height) + half);
+    edge.slope = static_cast<std::int64_t>(fixed_quotient(width * 256, height));
+    return edge;
+}
 
-void make_edges(const ProjectedFaces& projected, const Raster& raster, FaceEdges& out) {
-    out.faces.clear();
-    out.edges.clear();
-    out.planes.clear();
-    const auto lines = static_cast<std::int32_t>(raster.lines());
-    const auto elements = static_cast<std::int32_t>(raster.elements());
-    for (const ProjectedFace& face : projected.faces) {
-        EdgeFace edge_face{.first_edge = static_cast<std::uint32_t>(out.edges.size()), .first_line = lines};
-        const RasterPoint* points = projected.points.data() + face.first_point;
-        // Of a polygon of positive area the edges that run up the lines begin it on a line, those that run
-        // down end it.
+class EdgeMaker {
+public:
+    EdgeMaker(const ProjectedFaces& projected, const Raster& raster, bool smoothing, FaceEdges& out)
+        : projected_(projected), lines_(static_cast<std::int32_t>(raster.lines())),
+          elements_(static_cast<std::int32_t>(raster.elements())), smoothing_(smoothing), out_(out) {}
+
+    void put(const ProjectedFace& face) {
+        const RasterPoint* points = projected_.points.data() + face.first_point;
+        EdgeFace made{.first_edge = static_cast<std::uint32_t>(out_.edges.size()), .first_line = lines_};
+        made.additive = face.added_to >= 0;
+        made.opacity = face.opacity;
+        made.blends = made.additive || face.opacity < opaque;
+        put_crossings(points, face.point_count, made);
+        if (face.triangle >= 0 && (made.leading > 0 || smoothing_)) put_plane(face, points[0], made);
+        if (smoothing_) put_outline(points, face.point_count, made);
+        out_.faces.push_back(made);
+    }
+
+private:
+    /// Of a polygon of positive area the edges that run up the lines begin it on a line, those that run down end it.
+    void put_crossings(const RasterPoint* points, std::size_t count, EdgeFace& made) {
         for (const bool leading : {true, false}) {
-            for (std::size_t k = 0; k < face.point_count; ++k) {
+            for (std::size_t k = 0; k < count; ++k) {
                 const RasterPoint& from = points[k];
-                const RasterPoint& to = points[k + 1 == face.point_count ? 0 : k + 1];
+                const RasterPoint& to = points[k + 1 == count ? 0 : k + 1];
                 if (from.line == to.line || (to.line < from.line) != leading) continue;
                 Edge edge;
-                if (!make_edge(leading ? to : from, leading ? from : to, lines, edge)) continue;
-                out.edges.push_back(edge);
-                ++(leading ? edge_face.leading : edge_face.trailing);
-                edge_face.first_line = std::min(edge_face.first_line, edge.first_line);
-                edge_face.end_line = std::max(edge_face.end_line, edge.end_line);
+                if (!make_edge(leading ? to : from, leading ? from : to, lines_, edge)) continue;
+                out_.edges.push_back(edge);
+                ++(leading ? made.leading : made.trailing);
+                made.first_line = std::min(made.first_line, edge.first_line);
+                made.end_line = std::max(made.end_line, edge.end_line);
             }
         }
-        if (face.triangle >= 0 && edge_face.leading > 0) {
-            std::int32_t element = 0;
-            for (std::uint32_t k = 0; k < edge_face.leading; ++k) {
-                const Edge& edge = out.edges[edge_face.first_edge + k];
-                if (edge.first_line == edge_face.first_line) element = first_element(edge, edge.first_line);
-            }
-            edge_face.plane = static_cast<std::int32_t>(out.planes.size());
-            out.planes.push_back(make_plane(projected.triangles[static_cast<std::size_t>(face.triangle)],
-                                            edge_face.first_line, std::clamp(element, 0, elements - 1)));
-        }
-        out.faces.push_back(edge_face);
     }
+
+    /// The plane's reference is a pixel of the face, so that values stay small.
+    void put_plane(const ProjectedFace& face, const RasterPoint& corner, EdgeFace& made) {
+        std::int32_t line = made.first_line;
+        std::int32_t element = 0;
+        for (std::uint32_t k = 0; k < made.leading; ++k) {
+            const Edge& edge = out_.edges[made.first_edge + k];
+            if (edge.first_line == line) element = first_element(edge, line);
+        }
+        if (made.leading == 0) { // touches no line's centre
+            line = std::clamp(corner.line >> 8, 0, lines_ - 1);
+            element = corner.element >> 8;
+        }
+        made.plane = static_cast<std::int32_t>(out_.planes.size());
+        out_.planes.push_back(make_plane(projected_.triangles[static_cast<std::size_t>(face.triangle)], line,
+                                         std::clamp(element, 0, elements_ - 1)));
+    }
+
+    void put_outline(const RasterPoint* points, std::size_t count, EdgeFace& made) {
+        made.first_outline = static_cast<std::uint32_t>(out_.outlines.size());
+        std::int32_t least = points[0].line;
+        std::int32_t greatest = points[0].line;
+        for (std::size_t k = 0; k < count; ++k) {
+            const RasterPoint& from = points[k];
+            const RasterPoint& to = points[k + 1 == count ? 0 : k + 1];
+            least = std::min(least, from.line);
+            greatest = std::max(greatest, from.line);
+            if (from.line == to.line) continue;
+            const bool begins = to.line < from.line;
+            const RasterPoint& upper = begins ? to : from;
+            const RasterPoint& lower = begins ? from : to;
+            if (lower.line <= 0 || upper.line >= 256 * lines_) continue;
+            out_.outlines.push_back(make_outline_edge(upper, lower, begins ? 1 : -1));
+        }
+        made.outlines = static_cast<std::uint32_t>(out_.outlines.size()) - made.first_outline;
+        made.first_line = std::clamp(least >> 8, 0, lines_);
+        made.end_line = std::clamp((greatest + 255) >> 8, 0, lines_);
+    }
+
+    const ProjectedFaces& projected_;
+    std::int32_t lines_;
+    std::int32_t elements_;
+    bool smoothing_;
+    FaceEdges& out_;
+};
+
+} // namespace
+
+void make_edges(const ProjectedFaces& projected, const Raster& raster, bool smoothing, FaceEdges& out) {
+    out.faces.clear();
+    out.edges.clear();
+    out.outlines.clear();
+    out.planes.clear();
+    EdgeMaker maker(projected, raster, smoothing, out);
+    for (const ProjectedFace& face : projected.faces)
+        maker.put(face);
 }
 
 } // namespace linkdig::ig

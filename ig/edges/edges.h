@@ -7,7 +7,8 @@
 
 namespace linkdig::ig {
 
-void make_edges(const ProjectedFaces& projected, const Raster& raster, FaceEdges& edges);
+/// With smoothing the faces' outlines are made, too, and their lines are those that they touch at all.
+void make_edges(const ProjectedFaces& projected, const Raster& raster, bool smoothing, FaceEdges& edges);
 
 /// First element whose centre is at or beyond the edge's crossing of `line`; may lie outside the raster.
 inline std::int32_t first_element(const Edge& edge, std::int32_t line) {

@@ -17,6 +17,8 @@ namespace linkdig::ig {
 inline constexpr std::int32_t subpixels = 256;
 inline constexpr std::int32_t guard_pixels = 32768;
 inline constexpr std::int32_t intensity_one = 1 << 22;
+/// Opacity of a face that lets nothing through.
+inline constexpr std::uint16_t opaque = 256;
 
 /// A snapped vertex: where along the lines' axis, where along the elements' axis, in 1/256 pixel. Pixel
 /// (line, element) has its centre at (line + 1/2, element + 1/2).
@@ -56,6 +58,9 @@ struct ProjectedFace {
     std::uint32_t block = 0;                ///< into ActiveDatabase::blocks
     std::uint32_t face = 0;                 ///< into that block's faces
     std::int32_t depth = -1;                ///< into ProjectedFaces::depths, or -1: range plays no part
+    std::uint32_t list = 0;                 ///< into VisualDatabase::lists
+    std::int32_t added_to = -1; ///< additive face: the list whose faces it brightens; -1: an ordinary one
+    std::uint16_t opacity = opaque;
 };
 
 struct ProjectedFaces {

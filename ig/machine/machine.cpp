@@ -9,6 +9,7 @@
 #include "ig/scanline/scanline.h"
 #include "ig/video/video.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -98,11 +99,14 @@ BandCounts count(const BandSegments& band) {
 struct Machine::State {
     State(const VisualDatabase& visual_database, const Configuration& built_as)
         : database(visual_database), configuration(built_as), limits(limits_of(visual_database)),
+          parallelism(tbb::global_control::max_allowed_parallelism,
+                      std::max(threads_of(built_as), threads_of({}))),
           arena(static_cast<int>(threads_of(built_as))), workers(threads_of(built_as)) {}
 
     const VisualDatabase& database;
     Configuration configuration;
     PacketLimits limits;
+    tbb::global_control parallelism; ///< lets an arena have more threads than the machine has cores
     tbb::task_arena arena;
     std::vector<BandWorker> workers; ///< one per thread of the arena
     ActiveDatabase active;
@@ -128,7 +132,7 @@ struct Machine::State {
                             background_of(packet));
         project(active, channel.order, view, raster, !channel.air.clear(), channel.geometry_scratch,
                 channel.projected);
-        make_edges(channel.projected, raster, channel.edges);
+        make_edges(channel.projected, raster, configuration.edge_smoothing, channel.edges);
         sort_into_bands(channel.edges, raster.lines(), channel.bands);
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
         draw_bands(packet, channel);
@@ -144,8 +148,8 @@ struct Machine::State {
         const auto draw_one = [&](std::uint32_t band, BandWorker& worker) {
             worker.segments.first_line = band * band_lines;
             worker.segments.end_line = std::min((band + 1) * band_lines, raster.lines());
-            resolve_band(channel.edges, channel.bands.of(band), raster.elements(), worker.scratch,
-                         worker.segments);
+            resolve_band(channel.edges, channel.bands.of(band), raster.elements(),
+                         configuration.edge_smoothing, worker.scratch, worker.segments);
             draw_band(input, raster, worker.segments, worker.video, channel.picture);
             channel.counts[band] = count(worker.segments);
         };

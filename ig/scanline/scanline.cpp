@@ -1,21 +1,20 @@
 #include "ig/scanline/scanline.h"
 
 #include "ig/edges/edges.h"
+#include "ig/scanline/open_mask.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace linkdig::ig {
 
 namespace {
 
-constexpr std::uint32_t word_bits = 64;
-
 class BandResolver {
 public:
-    BandResolver(const FaceEdges& edges, std::uint32_t elements, BandScratch& scratch, BandSegments& segments)
-        : edges_(edges), scratch_(scratch), segments_(segments),
-          elements_(static_cast<std::int32_t>(elements)), words_((elements + word_bits - 1) / word_bits),
+    BandResolver(const FaceEdges& edges, std::uint32_t elements, bool smoothing, BandScratch& scratch,
+                 BandSegments& segments)
+        : edges_(edges), scratch_(scratch), out_(segments), elements_(static_cast<std::int32_t>(elements)),
+          words_((elements + word_bits - 1) / word_bits), smoothing_(smoothing),
           first_line_(static_cast<std::int32_t>(segments.first_line)),
           end_line_(static_cast<std::int32_t>(segments.end_line)) {}
 
@@ -23,7 +22,13 @@ public:
         open_all();
         for (const std::uint32_t rank : ranks) {
             if (open_lines_ == 0) break; // whatever comes now is behind
-            put(rank);
+            face_ = &edges_.faces[rank];
+            rank_ = rank;
+            if (smoothing_) {
+                put_by_area();
+            } else {
+                put_by_centres();
+            }
         }
         leave_background();
     }
@@ -32,6 +37,8 @@ private:
     void open_all() {
         const auto lines = static_cast<std::size_t>(end_line_ - first_line_);
         scratch_.open.assign(lines * words_, ~std::uint64_t{0});
+        scratch_.shared.assign(lines * words_, 0);
+        scratch_.pixel.resize(lines * static_cast<std::size_t>(elements_));
         const std::uint32_t beyond = words_ * word_bits - static_cast<std::uint32_t>(elements_);
         for (std::size_t line = 0; line < lines && beyond > 0; ++line) {
             scratch_.open[(line + 1) * words_ - 1] >>= beyond;
@@ -39,6 +46,8 @@ private:
         scratch_.open_count.fill(static_cast<std::uint32_t>(elements_));
         open_lines_ = static_cast<std::uint32_t>(lines);
     }
+
+    // ---- which elements a face covers ----------------------------------------------------------------------------
 
     /// Crossings of one side of the face for the band's lines.
     void cross(const Edge* edges, std::uint32_t count, std::array<std::int32_t, band_lines>& crossing) const {
@@ -52,108 +61,157 @@ private:
         }
     }
 
-    void put(std::uint32_t rank) {
-        const EdgeFace& face = edges_.faces[rank];
-        const Edge* edges = edges_.edges.data() + face.first_edge;
-        cross(edges, face.leading, scratch_.begin);
-        cross(edges + face.leading, face.trailing, scratch_.end);
-        const std::int32_t from = std::max(face.first_line, first_line_) - first_line_;
-        const std::int32_t to = std::min(face.end_line, end_line_) - first_line_;
+    void put_by_centres() {
+        const Edge* edges = edges_.edges.data() + face_->first_edge;
+        cross(edges, face_->leading, scratch_.begin);
+        cross(edges + face_->leading, face_->trailing, scratch_.end);
+        const std::int32_t from = std::max(face_->first_line, first_line_) - first_line_;
+        const std::int32_t to = std::min(face_->end_line, end_line_) - first_line_;
         for (std::int32_t line = from; line < to; ++line) {
             const auto l = static_cast<std::size_t>(line);
             if (scratch_.begin[l] < scratch_.end[l] && scratch_.open_count[l] != 0) {
-                take(rank, l, static_cast<std::uint32_t>(scratch_.begin[l]),
-                     static_cast<std::uint32_t>(scratch_.end[l]));
+                put_run(l, static_cast<std::uint32_t>(scratch_.begin[l]),
+                        static_cast<std::uint32_t>(scratch_.end[l]), whole_pixel);
             }
         }
     }
 
-    /// Gives the face what is open of [begin, end) on a line.
-    void take(std::uint32_t rank, std::size_t line, std::uint32_t begin, std::uint32_t end) {
-        std::uint64_t* open = scratch_.open.data() + line * words_;
-        std::uint32_t at = begin;
-        while (at < end) {
-            at = next_open(open, at, end);
-            if (at >= end) break;
-            const std::uint32_t stop = next_closed(open, at, end);
-            close(open, at, stop);
-            segments_.segments.push_back(
-                {rank, static_cast<std::uint16_t>(first_line_ + static_cast<std::int32_t>(line)),
-                 static_cast<std::uint16_t>(at), static_cast<std::uint16_t>(stop - at)});
-            scratch_.open_count[line] -= stop - at;
-            at = stop;
+    void put_by_area() {
+        const std::int32_t from = std::max(face_->first_line, first_line_);
+        const std::int32_t to = std::min(face_->end_line, end_line_);
+        const std::span<const OutlineEdge> outline(edges_.outlines.data() + face_->first_outline,
+                                                   face_->outlines);
+        for (std::int32_t line = from; line < to; ++line) {
+            const auto l = static_cast<std::size_t>(line - first_line_);
+            if (scratch_.open_count[l] == 0) continue;
+            cover_line(outline, line, elements_, scratch_.cells, scratch_.runs);
+            for (const CoverageRun& run : scratch_.runs) {
+                if (scratch_.open_count[l] == 0) break;
+                put_run(l, static_cast<std::uint32_t>(run.begin), static_cast<std::uint32_t>(run.end),
+                        run.coverage);
+            }
+        }
+    }
+
+    // ---- what it gets of them ------------------------------------------------------------------------------------
+
+    /// Gives the face at hand what is left of [begin, end) on a line, of which it covers `coverage` of each element.
+    void put_run(std::size_t line, std::uint32_t begin, std::uint32_t end, std::uint32_t coverage) {
+        const std::uint64_t* open = scratch_.open.data() + line * words_;
+        const bool alone = coverage == whole_pixel && !face_->blends;
+        for (std::uint32_t at = next_set(open, begin, end); at < end;) {
+            const std::uint32_t stop = next_clear(open, at, end);
+            if (alone) {
+                take(line, at, stop);
+            } else {
+                for (std::uint32_t element = at; element < stop; ++element)
+                    share(line, element, coverage);
+            }
+            at = stop < end ? next_set(open, stop, end) : end;
         }
         if (scratch_.open_count[line] == 0) --open_lines_;
     }
 
-    static std::uint32_t next_open(const std::uint64_t* open, std::uint32_t at, std::uint32_t end) {
-        std::uint64_t word = open[at / word_bits] >> (at % word_bits);
-        if (word != 0) return at + static_cast<std::uint32_t>(std::countr_zero(word));
-        for (at = (at / word_bits + 1) * word_bits; at < end; at += word_bits) {
-            word = open[at / word_bits];
-            if (word != 0) return at + static_cast<std::uint32_t>(std::countr_zero(word));
+    /// All that is left of a run of open elements: segments, and the rest of pixels that others have shares of.
+    void take(std::size_t line, std::uint32_t begin, std::uint32_t end) {
+        const std::uint64_t* shared = scratch_.shared.data() + line * words_;
+        for (std::uint32_t at = begin; at < end;) {
+            const std::uint32_t stop = next_set(shared, at, end);
+            if (at < stop) {
+                out_.segments.push_back({rank_, line_number(line), static_cast<std::uint16_t>(at),
+                                         static_cast<std::uint16_t>(stop - at)});
+            }
+            at = stop;
+            for (; at < end && is_set(shared, at); ++at) {
+                SharedPixel& pixel = out_.pixels[index_of(line, at)];
+                out_.shares.push_back({rank_, index_of(line, at), pixel.left});
+                pixel.left = 0;
+            }
         }
-        return end;
+        clear_bits(scratch_.open.data() + line * words_, begin, end);
+        scratch_.open_count[line] -= end - begin;
     }
 
-    static std::uint32_t next_closed(const std::uint64_t* open, std::uint32_t at, std::uint32_t end) {
-        std::uint64_t word = ~open[at / word_bits] >> (at % word_bits);
-        if (word != 0) return std::min(end, at + static_cast<std::uint32_t>(std::countr_zero(word)));
-        for (at = (at / word_bits + 1) * word_bits; at < end; at += word_bits) {
-            word = ~open[at / word_bits];
-            if (word != 0) return std::min(end, at + static_cast<std::uint32_t>(std::countr_zero(word)));
-        }
-        return end;
-    }
-
-    static void close(std::uint64_t* open, std::uint32_t begin, std::uint32_t end) {
-        const std::uint32_t first = begin / word_bits;
-        const std::uint32_t last = (end - 1) / word_bits;
-        const std::uint64_t from = ~std::uint64_t{0} << (begin % word_bits);
-        const std::uint64_t to = ~std::uint64_t{0} >> (word_bits - 1 - (end - 1) % word_bits);
-        if (first == last) {
-            open[first] &= ~(from & to);
+    /// A share of one open element. New coverage is at most what is left: neighbours of a mesh fill a pixel exactly.
+    void share(std::size_t line, std::uint32_t element, std::uint32_t coverage) {
+        const std::uint32_t index = shared_pixel(line, element);
+        SharedPixel& pixel = out_.pixels[index];
+        const std::uint32_t covered = std::min(coverage, pixel.left);
+        if (face_->additive) {
+            out_.shares.push_back({rank_, index, covered});
             return;
         }
-        open[first] &= ~from;
-        for (std::uint32_t word = first + 1; word < last; ++word)
-            open[word] = 0;
-        open[last] &= ~to;
+        const std::uint32_t weight = face_->opacity >= 256 ? covered : (covered >> 8U) * face_->opacity;
+        if (weight == 0) return;
+        out_.shares.push_back({rank_, index, weight});
+        pixel.left -= weight;
+        if (pixel.left != 0) return;
+        clear_bits(scratch_.open.data() + line * words_, element, element + 1);
+        --scratch_.open_count[line];
+    }
+
+    std::uint32_t& index_of(std::size_t line, std::uint32_t element) {
+        return scratch_.pixel[line * static_cast<std::size_t>(elements_) + element];
+    }
+
+    std::uint32_t shared_pixel(std::size_t line, std::uint32_t element) {
+        std::uint64_t& word = scratch_.shared[line * words_ + element / word_bits];
+        const std::uint64_t bit = std::uint64_t{1} << (element % word_bits);
+        if ((word & bit) == 0) {
+            word |= bit;
+            index_of(line, element) = static_cast<std::uint32_t>(out_.pixels.size());
+            out_.pixels.push_back({line_number(line), static_cast<std::uint16_t>(element)});
+        }
+        return index_of(line, element);
+    }
+
+    std::uint16_t line_number(std::size_t line) const {
+        return static_cast<std::uint16_t>(first_line_ + static_cast<std::int32_t>(line));
     }
 
     void leave_background() {
-        for (std::int32_t line = 0; line < end_line_ - first_line_ && open_lines_ != 0; ++line) {
-            const auto l = static_cast<std::size_t>(line);
-            if (scratch_.open_count[l] == 0) continue;
-            const std::uint64_t* open = scratch_.open.data() + l * words_;
-            const auto end = static_cast<std::uint32_t>(elements_);
-            for (std::uint32_t at = next_open(open, 0, end); at < end;) {
-                const std::uint32_t stop = next_closed(open, at, end);
-                segments_.background.push_back({0, static_cast<std::uint16_t>(first_line_ + line),
-                                                static_cast<std::uint16_t>(at),
-                                                static_cast<std::uint16_t>(stop - at)});
-                at = stop < end ? next_open(open, stop, end) : end;
+        const auto end = static_cast<std::uint32_t>(elements_);
+        for (std::int32_t number = 0; number < end_line_ - first_line_ && open_lines_ != 0; ++number) {
+            const auto line = static_cast<std::size_t>(number);
+            const std::uint64_t* open = scratch_.open.data() + line * words_;
+            const std::uint64_t* shared = scratch_.shared.data() + line * words_;
+            for (std::uint32_t at = next_set(open, 0, end); at < end; at = next_set(open, at, end)) {
+                if (is_set(shared, at)) {
+                    out_.shares.push_back(
+                        {background_rank, index_of(line, at), out_.pixels[index_of(line, at)].left});
+                    if (++at == end) break;
+                    continue;
+                }
+                const std::uint32_t stop = std::min(next_clear(open, at, end), next_set(shared, at, end));
+                out_.background.push_back({background_rank, line_number(line), static_cast<std::uint16_t>(at),
+                                           static_cast<std::uint16_t>(stop - at)});
+                if ((at = stop) == end) break;
             }
         }
     }
 
     const FaceEdges& edges_;
     BandScratch& scratch_;
-    BandSegments& segments_;
+    BandSegments& out_;
     std::int32_t elements_;
     std::uint32_t words_;
+    bool smoothing_;
     std::int32_t first_line_;
     std::int32_t end_line_;
     std::uint32_t open_lines_ = 0;
+    const EdgeFace* face_ = nullptr;
+    std::uint32_t rank_ = 0;
 };
 
 } // namespace
 
 void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks, std::uint32_t elements,
-                  BandScratch& scratch, BandSegments& segments) {
+                  bool smoothing, BandScratch& scratch, BandSegments& segments) {
     segments.segments.clear();
     segments.background.clear();
-    BandResolver(edges, elements, scratch, segments).run(ranks);
+    segments.pixels.clear();
+    segments.shares.clear();
+    BandResolver(edges, elements, smoothing, scratch, segments).run(ranks);
 }
 
 } // namespace linkdig::ig

@@ -5,6 +5,7 @@
 
 #include "ig/configuration.h"
 #include "ig/edges/edge.h"
+#include "ig/scanline/coverage.h"
 #include "ig/scanline/segment.h"
 
 #include <array>
@@ -14,15 +15,19 @@ namespace linkdig::ig {
 
 /// Working storage of one thread.
 struct BandScratch {
-    std::vector<std::uint64_t> open;                    ///< a bit per element, `words` per line: 1 = open
+    std::vector<std::uint64_t> open;   ///< a bit per element, whole words per line: 1 = something is left
+    std::vector<std::uint64_t> shared; ///< likewise: 1 = the pixel is in BandSegments::pixels
+    std::vector<std::uint32_t> pixel;  ///< of a shared element: its index there
     std::array<std::uint32_t, band_lines> open_count{}; ///< elements still open on each line
     std::array<std::int32_t, band_lines> begin{};       ///< of the face at hand
     std::array<std::int32_t, band_lines> end{};
+    std::vector<CoverageCell> cells;
+    std::vector<CoverageRun> runs;
 };
 
-/// Resolves the lines [segments.first_line, segments.end_line), at most band_lines, for the faces of these
-/// ranks.
+/// Resolves the lines [segments.first_line, segments.end_line), at most band_lines, for the faces of these ranks. With
+/// smoothing faces count by the area that they cover, else by pixel centres.
 void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks, std::uint32_t elements,
-                  BandScratch& scratch, BandSegments& segments);
+                  bool smoothing, BandScratch& scratch, BandSegments& segments);
 
 } // namespace linkdig::ig

@@ -30,7 +30,7 @@ void write_file(const std::string& path, Samples samples) {
 }
 
 OIIO::ImageSpec plane_spec(std::uint32_t width, std::uint32_t height, const char* channel,
-                           OIIO::TypeDesc type) {
+                           const OIIO::TypeDesc& type) {
     OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), 1, type);
     spec.channelnames = {channel};
     spec.attribute("compression", "zip");

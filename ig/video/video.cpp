@@ -96,6 +96,122 @@ void draw_segment(const VideoInput& input, const ProjectedFace& face, const Inte
     }
 }
 
+/// Components with 7 fraction bits, 0 to 255 * 128.
+struct Components {
+    std::uint32_t red = 0, green = 0, blue = 0;
+};
+constexpr std::uint32_t brightest = 255U << 7U;
+
+Components components(Colour colour, std::int32_t intensity) {
+    const std::uint32_t scale = std::min(static_cast<std::uint32_t>(intensity) >> 7U, 32767U);
+    const auto times = [scale](std::uint32_t code) { return ((code << 7U) * scale + (1U << 14U)) >> 15U; };
+    return {times(colour.red), times(colour.green), times(colour.blue)};
+}
+
+Components through_air(const Components& face, std::int32_t transmission, Colour horizon) {
+    const auto t = static_cast<std::uint32_t>(transmission);
+    const auto mix = [t](std::uint32_t component, std::uint32_t code) {
+        constexpr std::uint32_t half = 1U << 14U;
+        return ((component * t + half) >> 15U) + (((code << 7U) * (32767U - t) + half) >> 15U);
+    };
+    return {mix(face.red, horizon.red), mix(face.green, horizon.green), mix(face.blue, horizon.blue)};
+}
+
+/// Adds up the shares of the band's shared pixels, front to back, and writes each pixel once.
+class ShareSummer {
+public:
+    ShareSummer(const VideoInput& input, const Raster& raster, const BandSegments& band,
+                VideoScratch& scratch)
+        : input_(input), raster_(raster), band_(band), sums_(scratch.sums), pending_(scratch.pending) {
+        sums_.assign(band.pixels.size(), {});
+        pending_.clear();
+    }
+
+    void add_up() {
+        for (const Share& share : band_.shares) {
+            if (share.face == background_rank) {
+                add(share, components(input_.background, intensity_one), none, none);
+                continue;
+            }
+            const ProjectedFace& face = input_.projected->faces[share.face];
+            const std::int32_t intensity = intensity_of(share, face);
+            const Components lit = components(input_.colours[face.colour], intensity);
+            if (face.added_to != none) {
+                wait(share, through(share, face, lit, true), face.added_to);
+            } else {
+                add(share, through(share, face, lit, false), static_cast<std::int32_t>(face.list), intensity);
+            }
+        }
+    }
+
+    void write(const BeamBuffer& beam, VideoFrame& frame) const {
+        for (std::size_t k = 0; k < sums_.size(); ++k) {
+            const PixelSum& sum = sums_[k];
+            const Segment at{sum.rank, band_.pixels[k].line, band_.pixels[k].element, 1};
+            constexpr std::uint32_t half = whole_pixel << 6U;
+            *beam.at(at) = ((sum.red + half) >> 24U) | ((sum.green + half) >> 24U) << 8U |
+                           ((sum.blue + half) >> 24U) << 16U | 0xff000000U;
+            fill_plane(raster_, at, static_cast<std::int32_t>(sum.rank), frame.rank);
+            fill_plane(raster_, at, sum.intensity, frame.intensity);
+        }
+    }
+
+private:
+    std::int32_t intensity_of(const Share& share, const ProjectedFace& face) const {
+        const std::int32_t plane = input_.edges->faces[share.face].plane;
+        const SharedPixel& pixel = band_.pixels[share.pixel];
+        return plane < 0 ? face.intensity
+                         : intensity_at(input_.edges->planes[static_cast<std::size_t>(plane)], pixel.line,
+                                        pixel.element);
+    }
+
+    /// Light that is added brings no horizon of its own: the face behind it does.
+    Components through(const Share& share, const ProjectedFace& face, const Components& lit,
+                       bool added) const {
+        const Air& air = *input_.air;
+        if (air.clear() || face.depth < 0) return lit;
+        const DepthPlane& depth = input_.projected->depths[static_cast<std::size_t>(face.depth)];
+        const SharedPixel& pixel = band_.pixels[share.pixel];
+        std::int32_t transmission = 0;
+        if (!air.is_flat(depth, transmission))
+            transmission = transmission_of(depth, air, pixel.line, pixel.element);
+        return through_air(lit, transmission, added ? Colour{} : air.horizon());
+    }
+
+    void wait(const Share& share, const Components& light, std::int32_t added_to) {
+        PixelSum& sum = sums_[share.pixel];
+        const auto part = [&share](std::uint32_t component) {
+            return static_cast<std::uint32_t>((std::uint64_t{component} * share.weight) / whole_pixel);
+        };
+        pending_.push_back({part(light.red), part(light.green), part(light.blue), added_to, sum.pending});
+        sum.pending = static_cast<std::int32_t>(pending_.size() - 1);
+    }
+
+    /// Adds a share, brightened by the additive faces in front of it that name its list; clamps once.
+    void add(const Share& share, Components seen, std::int32_t list, std::int32_t intensity) {
+        PixelSum& sum = sums_[share.pixel];
+        for (std::int32_t k = sum.pending; k >= 0; k = pending_[static_cast<std::size_t>(k)].before) {
+            const PendingLight& light = pending_[static_cast<std::size_t>(k)];
+            if (light.added_to != list || list == none) continue;
+            seen = {seen.red + light.red, seen.green + light.green, seen.blue + light.blue};
+        }
+        sum.pending = -1;
+        sum.red += std::min(seen.red, brightest) * share.weight;
+        sum.green += std::min(seen.green, brightest) * share.weight;
+        sum.blue += std::min(seen.blue, brightest) * share.weight;
+        if (share.weight <= sum.rank_weight) return;
+        sum.rank_weight = share.weight;
+        sum.rank = share.face;
+        sum.intensity = intensity;
+    }
+
+    const VideoInput& input_;
+    const Raster& raster_;
+    const BandSegments& band_;
+    std::vector<PixelSum>& sums_;
+    std::vector<PendingLight>& pending_;
+};
+
 } // namespace
 
 void open_frame(const Raster& raster, bool intensity, bool rank, VideoFrame& frame) {
@@ -124,6 +240,9 @@ void draw_band(const VideoInput& input, const Raster& raster, const BandSegments
         fill_plane(raster, segment, std::int32_t{none}, frame.intensity);
         fill_plane(raster, segment, std::int32_t{none}, frame.rank);
     }
+    ShareSummer shares(input, raster, band, scratch);
+    shares.add_up();
+    shares.write(beam, frame);
     beam.finish();
 }
 

@@ -17,7 +17,7 @@ namespace linkdig::ig {
 
 Drawn draw(const Scene& scene, std::uint32_t threads) {
     Drawn drawn;
-    make_edges(scene.projected, scene.raster, drawn.edges);
+    make_edges(scene.projected, scene.raster, false, drawn.edges);
     Bands bands;
     const std::uint32_t lines = scene.raster.lines();
     sort_into_bands(drawn.edges, lines, bands);
@@ -32,7 +32,7 @@ Drawn draw(const Scene& scene, std::uint32_t threads) {
             BandSegments& segments = drawn.bands[band];
             segments.first_line = band * band_lines;
             segments.end_line = std::min((band + 1) * band_lines, lines);
-            resolve_band(drawn.edges, bands.of(band), scene.raster.elements(), scratch, segments);
+            resolve_band(drawn.edges, bands.of(band), scene.raster.elements(), false, scratch, segments);
             draw_band(input, scene.raster, segments, video_scratch, drawn.picture);
         }
     };

@@ -1,0 +1,51 @@
+#pragma once
+/// A bit per element of a line, in words of 64: which are set, where runs begin and end.
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace linkdig::ig {
+
+inline constexpr std::uint32_t word_bits = 64;
+
+/// First element in [at, end) whose bit, exclusive-ored with `inverted`, is set; end if there is none.
+inline std::uint32_t next_bit(const std::uint64_t* bits, std::uint32_t at, std::uint32_t end,
+                              std::uint64_t inverted) {
+    std::uint64_t word = (bits[at / word_bits] ^ inverted) >> (at % word_bits);
+    if (word != 0) return std::min(end, at + static_cast<std::uint32_t>(std::countr_zero(word)));
+    for (at = (at / word_bits + 1) * word_bits; at < end; at += word_bits) {
+        word = bits[at / word_bits] ^ inverted;
+        if (word != 0) return std::min(end, at + static_cast<std::uint32_t>(std::countr_zero(word)));
+    }
+    return end;
+}
+
+inline std::uint32_t next_set(const std::uint64_t* bits, std::uint32_t at, std::uint32_t end) {
+    return next_bit(bits, at, end, 0);
+}
+inline std::uint32_t next_clear(const std::uint64_t* bits, std::uint32_t at, std::uint32_t end) {
+    return next_bit(bits, at, end, ~std::uint64_t{0});
+}
+
+/// Clears the bits of [begin, end), begin < end.
+inline void clear_bits(std::uint64_t* bits, std::uint32_t begin, std::uint32_t end) {
+    const std::uint32_t first = begin / word_bits;
+    const std::uint32_t last = (end - 1) / word_bits;
+    const std::uint64_t from = ~std::uint64_t{0} << (begin % word_bits);
+    const std::uint64_t to = ~std::uint64_t{0} >> (word_bits - 1 - (end - 1) % word_bits);
+    if (first == last) {
+        bits[first] &= ~(from & to);
+        return;
+    }
+    bits[first] &= ~from;
+    for (std::uint32_t word = first + 1; word < last; ++word)
+        bits[word] = 0;
+    bits[last] &= ~to;
+}
+
+inline bool is_set(const std::uint64_t* bits, std::uint32_t at) {
+    return (bits[at / word_bits] >> (at % word_bits) & 1U) != 0;
+}
+
+} // namespace linkdig::ig
