@@ -4,9 +4,12 @@ add_library(linkdig_flags INTERFACE)
 target_compile_options(linkdig_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
     # The same bytes from every compiler and build type: no fused multiply-add, no reordering.
-    -ffp-contract=off -fno-fast-math -fno-math-errno)
+    -ffp-contract=off -fno-fast-math -fno-math-errno
+    # g++ 12 loses the rounding of (double)(float)x when its SLP vectoriser takes neighbouring components in pairs.
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 target_compile_definitions(linkdig_flags INTERFACE GLM_FORCE_PURE GLM_FORCE_CTOR_INIT)
-target_include_directories(linkdig_flags INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
+target_include_directories(linkdig_flags INTERFACE ${CMAKE_SOURCE_DIR})
+target_include_directories(linkdig_flags SYSTEM INTERFACE ${CMAKE_BINARY_DIR}/generated) # not ours to tidy
 
 # linkdig_library(NAME folder...): every .cpp under the named folders of this directory, as one static library.
 function(linkdig_library name)

@@ -17,6 +17,7 @@ struct Raster {
     Scan scan = Scan::horizontal;
     std::uint32_t lines() const { return scan == Scan::horizontal ? height : width; }
     std::uint32_t elements() const { return scan == Scan::horizontal ? width : height; }
+    bool operator==(const Raster&) const = default;
 };
 
 struct Configuration {

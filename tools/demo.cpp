@@ -41,13 +41,7 @@ FlightRequest request_of(const DemoOptions& options, bool headless) {
     request.scenario_path = shipped_scenes() + "/first_flight/approach.toml";
     request.duration_s = options.seconds;
     request.seed = options.seed;
-    request.configuration = options.profile == "ames" ? ig::ames_profile() : ig::modern_profile();
-    request.configuration.threads = options.threads;
-    if (options.size) {
-        const PictureSize size = parse_size(*options.size);
-        request.configuration.raster.width = size.width;
-        request.configuration.raster.height = size.height;
-    }
+    request.configuration = configuration_of(options.profile, options.size, std::nullopt, options.threads);
     const double rate_hz = headless ? headless_rate_hz : request.configuration.update_rate_hz;
     request.configuration.update_rate_hz = options.frames_per_second.value_or(rate_hz);
     return request;

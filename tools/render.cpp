@@ -34,14 +34,8 @@ struct RenderOptions {
 FlightRequest request_of(const RenderOptions& options) {
     FlightRequest request;
     request.scenario_path = options.scenario;
-    request.configuration = options.profile == "ames" ? ig::ames_profile() : ig::modern_profile();
-    request.configuration.threads = options.threads;
-    request.configuration.update_rate_hz = options.frames_per_second;
-    if (options.size) {
-        const PictureSize size = parse_size(*options.size);
-        request.configuration.raster.width = size.width;
-        request.configuration.raster.height = size.height;
-    }
+    request.configuration =
+        configuration_of(options.profile, options.size, options.frames_per_second, options.threads);
     return request;
 }
 

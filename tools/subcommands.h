@@ -17,5 +17,6 @@ void add_compile(CLI::App& app, int& exit_code);
 void add_inspect(CLI::App& app, int& exit_code);
 void add_demo(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
+void add_why(CLI::App& app, int& exit_code);
 
 } // namespace linkdig::tools

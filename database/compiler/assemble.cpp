@@ -34,12 +34,13 @@ void bound_run(const std::vector<OrderFace>& leaf, std::size_t first, std::size_
             infinite = infinite || corner.position.w == 0;
             if (corner.position.w != 0) box.add(Vec3d(corner.position));
         }
-    run.centre = Vec3f(0.5 * (box.low + box.high));
+    const Vec3d centre = rounded_to_float(0.5 * (box.low + box.high));
+    run.centre = Vec3f(centre);
     double radius = 0;
     for (std::size_t i = first; i < end; ++i)
         for (const OrderCorner& corner : leaf[i].corners)
             if (corner.position.w != 0)
-                radius = std::max(radius, glm::distance(Vec3d(run.centre), Vec3d(corner.position)));
+                radius = std::max(radius, glm::distance(centre, Vec3d(corner.position)));
     run.radius =
         infinite ? -1.0F
                  : std::nextafter(static_cast<float>(radius * (1 + 1e-7)), std::numeric_limits<float>::max());

@@ -91,6 +91,13 @@ Tiles read_tiles(const AuthoredTables& tables, const std::vector<ModelObject>& o
     Tiles result;
     for (const AuthoredTable each : tables.tiles)
         read_tile(each, objects, reading, result);
+    std::uint64_t squares = 0;
+    for (const RepeatedTile& tile : result.tiles)
+        squares += 4ULL * tile.half_width * tile.half_width * (tile.rings + tile.fine_levels + 1ULL);
+    if (squares > most_squares)
+        reading.error(
+            place_of(*tables.tiles.back().table, tables.tiles.back().file),
+            fmt::format("the tiles make {} squares a frame; expected at most {}", squares, most_squares));
     return result;
 }
 

@@ -16,7 +16,7 @@ constexpr std::size_t small_set = 64;
 constexpr std::size_t price_of_cut = 4;
 
 Plane as_stored(const Vec3d& normal, double distance) {
-    return {Vec3d(Vec3f(normal)), static_cast<double>(static_cast<float>(distance))};
+    return {rounded_to_float(normal), rounded_to_float(distance)};
 }
 
 struct Split {

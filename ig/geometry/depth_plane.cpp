@@ -72,10 +72,10 @@ DepthPlane depth_plane(const View& view, std::span<const ClipPoint> polygon) {
     if (std::fabs(offset) <= 1e-9 * length) return plane;
     // n.(x, y, z) = offset with x = z * tx, y = z * ty: 1/z = (n.x * tx + n.y * ty + n.z) / offset.
     const Vec3d inverse = normal * (1.0 / offset);
-    const double per_column = inverse.x * 256.0 / view.x_scale;
-    const double per_row = inverse.y * 256.0 / view.y_scale;
-    plane.inverse_m = inverse.x * (128.0 - view.x_offset) / view.x_scale +
-                      inverse.y * (128.0 - view.y_offset) / view.y_scale + inverse.z;
+    const double per_column = inverse.x * 256.0 / view.scale.x_scale;
+    const double per_row = inverse.y * 256.0 / view.scale.y_scale;
+    plane.inverse_m = inverse.x * (128.0 - view.scale.x_offset) / view.scale.x_scale +
+                      inverse.y * (128.0 - view.scale.y_offset) / view.scale.y_scale + inverse.z;
     plane.across = view.vertical ? per_column : per_row;
     plane.along = view.vertical ? per_row : per_column;
     bound_range(polygon, std::fabs(offset) / length, plane);

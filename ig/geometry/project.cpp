@@ -40,6 +40,7 @@ public:
     }
 
     void run(const PriorityOrder& order) {
+        out_.scale = view_.scale;
         std::uint32_t entered = ~0U;
         for (const RankedRun& ranked : order.runs) {
             if (ranked.block != entered) enter(ranked.block);
@@ -105,8 +106,8 @@ private:
 
     /// Raster position of a point in front of the near plane, in 1/256 pixel.
     void raster_position(const ClipPoint& p, double& line, double& element) const {
-        const double column = view_.x_scale * (p.x / p.z) + view_.x_offset;
-        const double row = view_.y_scale * (p.y / p.z) + view_.y_offset;
+        const double column = view_.scale.x_scale * (p.x / p.z) + view_.scale.x_offset;
+        const double row = view_.scale.y_scale * (p.y / p.z) + view_.scale.y_offset;
         line = view_.vertical ? column : row;
         element = view_.vertical ? row : column;
     }
@@ -270,10 +271,10 @@ private:
     void put_clipped_to_guard(std::int32_t triangle, std::int32_t intensity) {
         auto& polygon = scratch_.polygon;
         // |scale * t + offset| <= limit for each raster axis, as planes through the eye.
-        clip(polygon, {.a = view_.x_scale, .c = view_.x_offset + guard_limit}, scratch_.spare);
-        clip(polygon, {.a = -view_.x_scale, .c = guard_limit - view_.x_offset}, scratch_.spare);
-        clip(polygon, {.b = view_.y_scale, .c = view_.y_offset + guard_limit}, scratch_.spare);
-        clip(polygon, {.b = -view_.y_scale, .c = guard_limit - view_.y_offset}, scratch_.spare);
+        clip(polygon, {.a = view_.scale.x_scale, .c = view_.scale.x_offset + guard_limit}, scratch_.spare);
+        clip(polygon, {.a = -view_.scale.x_scale, .c = guard_limit - view_.scale.x_offset}, scratch_.spare);
+        clip(polygon, {.b = view_.scale.y_scale, .c = view_.scale.y_offset + guard_limit}, scratch_.spare);
+        clip(polygon, {.b = -view_.scale.y_scale, .c = guard_limit - view_.scale.y_offset}, scratch_.spare);
         if (polygon.size() < 3) return;
         const std::size_t first = out_.points.size();
         for (const ClipPoint& p : polygon) {

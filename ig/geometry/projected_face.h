@@ -63,7 +63,15 @@ struct ProjectedFace {
     std::uint16_t opacity = opaque;
 };
 
+/// From tangents to the raster: picture column in 1/256 pixel = x_scale * x/z + x_offset, row likewise, down.
+struct PictureScale {
+    double x_scale = 1, x_offset = 0;
+    double y_scale = 1, y_offset = 0;
+    bool operator==(const PictureScale&) const = default;
+};
+
 struct ProjectedFaces {
+    PictureScale scale;
     std::vector<ProjectedFace> faces; ///< ascending rank: the index is the rank on this channel
     std::vector<RasterPoint> points;
     std::vector<IntensityTriangle> triangles;

@@ -37,6 +37,7 @@ struct BandCounts {
 
 /// One channel's stages, in order, and what passes between them.
 struct Channel {
+    Vec3d eye_m{0};
     PriorityScratch priority_scratch;
     PriorityOrder order;
     GeometryScratch geometry_scratch;
@@ -67,17 +68,6 @@ void check(const Configuration& configuration) {
     }
 }
 
-PacketLimits limits_of(const VisualDatabase& database) {
-    PacketLimits limits;
-    limits.suns = database.suns.size();
-    limits.moving_objects = database.moving_objects.size();
-    limits.lists = database.lists.size();
-    limits.colours = database.colours.size();
-    for (const SubstitutionSlot& slot : database.slots)
-        limits.alternatives.push_back(slot.alternatives);
-    return limits;
-}
-
 Colour background_of(const FramePacket& packet) {
     const auto level = [](float value) {
         return static_cast<std::uint8_t>(std::floor(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
@@ -98,7 +88,7 @@ BandCounts count(const BandSegments& band) {
 
 struct Machine::State {
     State(const VisualDatabase& visual_database, const Configuration& built_as)
-        : database(visual_database), configuration(built_as), limits(limits_of(visual_database)),
+        : database(visual_database), configuration(built_as), limits(packet_limits(visual_database)),
           parallelism(tbb::global_control::max_allowed_parallelism,
                       std::max(threads_of(built_as), threads_of({}))),
           arena(static_cast<int>(threads_of(built_as))), workers(threads_of(built_as)) {}
@@ -127,11 +117,12 @@ struct Machine::State {
 
     void draw(const FramePacket& packet, const ChannelView& view, Channel& channel, ChannelReport& counts) {
         const Raster& raster = configuration.raster;
+        channel.eye_m = view.eye_m;
         prioritise(active, view, channel.priority_scratch, channel.order);
-        channel.air.prepare(view_of(view, raster), raster, static_cast<double>(packet.visibility_m),
-                            background_of(packet));
-        project(active, channel.order, view, raster, !channel.air.clear(), channel.geometry_scratch,
+        project(active, channel.order, view, raster, packet.visibility_m > 0.0F, channel.geometry_scratch,
                 channel.projected);
+        channel.air.prepare(channel.projected.scale, raster, static_cast<double>(packet.visibility_m),
+                            background_of(packet));
         make_edges(channel.projected, raster, configuration.edge_smoothing, channel.edges);
         sort_into_bands(channel.edges, raster.lines(), channel.bands);
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
@@ -216,6 +207,16 @@ Machine::Source Machine::source(std::size_t channel, std::int32_t rank) const {
     const FaceBlock& block = state_->active.blocks[projected.block];
     const Face& face = block.faces[projected.face];
     return {.list = block.list, .object = face.object, .face = &face};
+}
+
+std::vector<Layer> Machine::explain(std::size_t channel, std::uint32_t column, std::uint32_t row) const {
+    if (channel >= state_->channels.size()) return {};
+    const Channel& drawn = state_->channels[channel];
+    if (column >= drawn.picture.width || row >= drawn.picture.height) return {};
+    const bool horizontal = state_->configuration.raster.scan == Scan::horizontal;
+    const StageOutputs outputs{&state_->active, &drawn.order, &drawn.projected, &drawn.edges, drawn.eye_m};
+    return explain_pixel(outputs, static_cast<std::int32_t>(horizontal ? row : column),
+                         static_cast<std::int32_t>(horizontal ? column : row));
 }
 
 } // namespace linkdig::ig

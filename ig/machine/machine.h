@@ -3,6 +3,7 @@
 
 #include "host/packet/link.h"
 #include "ig/configuration.h"
+#include "ig/machine/explain.h"
 #include "ig/video/line.h"
 
 #include <memory>
@@ -37,6 +38,10 @@ public:
         const Face* face = nullptr;
     };
     Source source(std::size_t channel, std::int32_t rank) const;
+
+    /// Every face over a pixel of a channel of the last frame, front to back (column and row as the viewer sees them).
+    /// Empty beyond the picture, or if the channel was never drawn.
+    std::vector<Layer> explain(std::size_t channel, std::uint32_t column, std::uint32_t row) const;
 
 private:
     struct State;

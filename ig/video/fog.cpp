@@ -21,31 +21,28 @@ std::vector<std::int32_t> make_transmission() {
 
 } // namespace
 
-void Air::prepare(const View& view, const Raster& raster, double visibility_m, Colour horizon) {
+void Air::prepare(const PictureScale& scale, const Raster& raster, double visibility_m, Colour horizon) {
     visibility_m_ = visibility_m;
     horizon_ = horizon;
     if (clear()) return;
     if (transmission_.empty()) transmission_ = make_transmission();
     steps_per_m_ = static_cast<float>(extinction_at_visibility * steps_per_optical_depth / visibility_m);
-    make_rays(view, raster);
+    make_rays(scale, raster);
 }
 
-void Air::make_rays(const View& view, const Raster& raster) {
-    const double frustum[4] = {view.left, view.right, view.bottom, view.top};
-    if (std::equal(frustum, frustum + 4, made_for_) && made_raster_.width == raster.width &&
-        made_raster_.height == raster.height && made_raster_.scan == raster.scan) {
-        return;
-    }
-    std::copy(frustum, frustum + 4, made_for_);
+void Air::make_rays(const PictureScale& scale, const Raster& raster) {
+    if (scale == made_for_ && raster == made_raster_) return;
+    made_for_ = scale;
     made_raster_ = raster;
     elements_ = raster.elements();
+    const bool vertical = raster.scan == Scan::vertical;
     rays_.resize(std::size_t{raster.width} * raster.height);
     for (std::uint32_t line = 0; line < raster.lines(); ++line) {
         for (std::uint32_t element = 0; element < elements_; ++element) {
-            const double column = 256.0 * (view.vertical ? line : element) + 128.0;
-            const double row = 256.0 * (view.vertical ? element : line) + 128.0;
-            const double tx = (column - view.x_offset) / view.x_scale;
-            const double ty = (row - view.y_offset) / view.y_scale;
+            const double column = 256.0 * (vertical ? line : element) + 128.0;
+            const double row = 256.0 * (vertical ? element : line) + 128.0;
+            const double tx = (column - scale.x_offset) / scale.x_scale;
+            const double ty = (row - scale.y_offset) / scale.y_scale;
             rays_[std::size_t{line} * elements_ + element] =
                 static_cast<float>(std::sqrt(1.0 + tx * tx + ty * ty));
         }

@@ -12,7 +12,6 @@
 #include "database/model/visual_database.h"
 #include "ig/configuration.h"
 #include "ig/geometry/projected_face.h"
-#include "ig/geometry/view.h"
 
 #include <cstdint>
 #include <vector>
@@ -27,7 +26,7 @@ inline constexpr std::int32_t transmission_one = 32767;
 class Air {
 public:
     /// visibility_m <= 0: clear air, and nothing else is prepared.
-    void prepare(const View& view, const Raster& raster, double visibility_m, Colour horizon);
+    void prepare(const PictureScale& scale, const Raster& raster, double visibility_m, Colour horizon);
 
     bool clear() const { return visibility_m_ <= 0.0; }
     Colour horizon() const { return horizon_; }
@@ -44,7 +43,7 @@ public:
     bool is_flat(const DepthPlane& depth, std::int32_t& transmission) const;
 
 private:
-    void make_rays(const View& view, const Raster& raster);
+    void make_rays(const PictureScale& scale, const Raster& raster);
 
     double visibility_m_ = 0.0;
     Colour horizon_;
@@ -52,7 +51,7 @@ private:
     std::vector<std::int32_t> transmission_;
     std::vector<float> rays_;
     std::uint32_t elements_ = 0;
-    double made_for_[4] = {0, 0, 0, 0}; ///< frustum that the rays belong to
+    PictureScale made_for_; ///< that the rays belong to
     Raster made_raster_{0, 0, Scan::horizontal};
 };
 

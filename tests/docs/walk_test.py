@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The walk of docs/authoring.md, as it stands on the page, compiles.
+"""The walk of docs/authoring.md, as it stands on the page, compiles and is drawn.
 
     walk_test.py ROOT LINKDIG
 """
@@ -11,6 +11,16 @@ import tempfile
 from pathlib import Path
 
 BLOCK = re.compile(r"```toml\n# (\w+\.toml)[^\n]*\n(.*?)```", re.DOTALL)
+
+
+def commands(linkdig, folder, names):
+    """What the page tells to do with its files: the first is a database, the last a scenario."""
+    compiled = str(Path(folder) / "walk.igdb")
+    return [
+        [linkdig, "compile", names[0], "-o", compiled],
+        [linkdig, "inspect", compiled],
+        [linkdig, "render", names[-1], "--frames", "0:1", "--size", "320x240", "--out", "pictures"],
+    ]
 
 
 def main():
@@ -26,14 +36,15 @@ def main():
         if not names:
             print("docs/authoring.md has no TOML blocks that begin with a file's name")
             return 1
-        for name in names:
-            compiled = Path(folder) / name.replace(".toml", ".igdb")
-            for command in ([linkdig, "compile", name, "-o", str(compiled)], [linkdig, "inspect", str(compiled)]):
-                result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-                print(result.stdout + result.stderr, end="")
-                if result.returncode != 0:
-                    print(f"{' '.join(command)}: exit code {result.returncode}")
-                    return 1
+        for command in commands(linkdig, folder, names):
+            result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+            print(result.stdout + result.stderr, end="")
+            if result.returncode != 0:
+                print(f"{' '.join(command)}: exit code {result.returncode}")
+                return 1
+        if len(list((Path(folder) / "pictures").rglob("*.png"))) != 2:
+            print("no two pictures were drawn")
+            return 1
     return 0
 
 

@@ -149,7 +149,7 @@ until_true "the step comes to rest" at_rest second
 key BackSpace
 until_true "reset shows the first frame again" now_same reset_again reset picture
 passed "reset"
-for press in 1 2 3 4 5 6 7 8; do key Right; done
+for _ in 1 2 3 4 5 6 7 8; do key Right; done
 until_true "eight presses show" now_differs fast reset status
 key period
 until_true "a step with a fast sun" now_differs fast_second reset picture

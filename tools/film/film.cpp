@@ -4,7 +4,6 @@
 
 #include <cassert>
 #include <stdexcept>
-#include <utility>
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -130,10 +129,11 @@ void Film::State::encode(const AVFrame* picture) {
 
 bool video_files() { return true; }
 
-Film::Film(std::string path, std::uint32_t width, std::uint32_t height, std::uint32_t frames_per_second)
+Film::Film(const std::string& path, std::uint32_t width, std::uint32_t height,
+           std::uint32_t frames_per_second)
     : state_(std::make_unique<State>()) {
     assert(frames_per_second >= 1 && frames_per_second <= 240);
-    state_->path = std::move(path);
+    state_->path = path;
     state_->width = width;
     state_->height = height;
     if (width < 2 || height < 2)

@@ -17,7 +17,7 @@ public:
     /// Opens the file. Pictures of odd size lose their last column or row: the colour of the format is kept
     /// for 2 x 2 pixels. `frames_per_second` is 1 to 240. Throws std::runtime_error, naming what was tried,
     /// if it cannot be written, or if the program was built without video files.
-    Film(std::string path, std::uint32_t width, std::uint32_t height, std::uint32_t frames_per_second);
+    Film(const std::string& path, std::uint32_t width, std::uint32_t height, std::uint32_t frames_per_second);
     /// A film that was not finished is left behind incomplete.
     ~Film();
     Film(const Film&) = delete;

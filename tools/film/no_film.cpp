@@ -8,7 +8,7 @@ struct Film::State {};
 
 bool video_files() { return false; }
 
-Film::Film(std::string path, std::uint32_t, std::uint32_t, std::uint32_t) {
+Film::Film(const std::string& path, std::uint32_t, std::uint32_t, std::uint32_t) {
     throw std::runtime_error(path +
                              ": cannot be written: built without video files (LINKDIG_VIDEO_FILES=OFF)");
 }

@@ -1,7 +1,5 @@
 #include "tools/flight/arguments.h"
 
-#include "ig/configuration.h"
-
 #include <fmt/format.h>
 
 #include <charconv>
@@ -49,6 +47,19 @@ FrameRange parse_frames(const std::string& text) {
         throw std::invalid_argument(fmt::format(
             "'{}' is no range of frames; expected FIRST:LAST, FIRST not above LAST, or one frame", text));
     return {*first, *last};
+}
+
+ig::Configuration configuration_of(const std::string& profile, const std::optional<std::string>& size,
+                                   std::optional<double> frames_per_second, std::uint32_t threads) {
+    ig::Configuration configuration = profile == "ames" ? ig::ames_profile() : ig::modern_profile();
+    configuration.threads = threads;
+    if (frames_per_second) configuration.update_rate_hz = *frames_per_second;
+    if (size) {
+        const PictureSize asked = parse_size(*size);
+        configuration.raster.width = asked.width;
+        configuration.raster.height = asked.height;
+    }
+    return configuration;
 }
 
 } // namespace linkdig::tools

@@ -1,7 +1,10 @@
 #pragma once
 /// Values of command lines that several subcommands take.
 
+#include "ig/configuration.h"
+
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace linkdig::tools {
@@ -22,5 +25,9 @@ struct FrameRange {
 
 /// "10:20", or "10" for that frame alone. Throws std::invalid_argument, saying what was expected.
 FrameRange parse_frames(const std::string& text);
+
+/// The machine that --profile, --size, --fps and --threads ask for. Throws as parse_size() does.
+ig::Configuration configuration_of(const std::string& profile, const std::optional<std::string>& size,
+                                   std::optional<double> frames_per_second, std::uint32_t threads);
 
 } // namespace linkdig::tools

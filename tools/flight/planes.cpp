@@ -28,6 +28,7 @@ ig::Plane plane_of(const std::string& name) {
     const auto found = std::ranges::find(named_planes, std::string_view(name), &NamedPlane::name);
     if (found != named_planes.end()) return found->plane;
     std::vector<std::string> known;
+    known.reserve(named_planes.size());
     for (const NamedPlane& named : named_planes)
         known.emplace_back(named.name);
     throw std::invalid_argument(

@@ -12,8 +12,8 @@ namespace {
 constexpr std::array table{
     Key{Action::pause, "space", "pause, go on", SDLK_SPACE, SDLK_p},
     Key{Action::step, ".", "single step", SDLK_PERIOD, SDLK_KP_PERIOD},
-    Key{Action::sun_up, "up", "sun up 2 deg", SDLK_UP, 0},
-    Key{Action::sun_down, "down", "sun down 2 deg", SDLK_DOWN, 0},
+    Key{Action::sun_up, "up", "sea's sun up 2 deg", SDLK_UP, 0},
+    Key{Action::sun_down, "down", "sea's sun down 2 deg", SDLK_DOWN, 0},
     Key{Action::sea_sun_slower, "left", "sea's sun slower", SDLK_LEFT, 0},
     Key{Action::sea_sun_faster, "right", "sea's sun faster", SDLK_RIGHT, 0},
     Key{Action::smooth_shading, "s", "smooth shading off, on", SDLK_s, 0},
@@ -40,6 +40,7 @@ std::optional<Action> action_of(std::int32_t key_code) {
 
 std::vector<std::string> help_lines() {
     std::vector<std::string> lines;
+    lines.reserve(table.size());
     for (const Key& key : table)
         lines.push_back(fmt::format("{:<10} {}", key.label, key.says));
     return lines;

@@ -224,6 +224,19 @@ TEST(Messages, Tiles) {
             "root.toml:16: the list \"list\" of a tile holds the object \"box\"; expected nothing else"));
 }
 
+TEST(Messages, TilesThatReachTooFarOrMakeTooMuch) {
+    const auto tile = [](const char* numbers) {
+        return said(
+            fmt::format("[[tile]]\nlist = \"list\"\nperiod = 2\nvertical_angle_deg = 70\ncolour = \"grey\"\n"
+                        "seed = 1\n{}\n",
+                        numbers));
+    };
+    EXPECT_THAT(tile("cell_m = 90000\nrings = 16\nhalf_width = 8\nfine_levels = 0"),
+                HasSubstr("the rings reach further than 1000000000 m"));
+    EXPECT_THAT(tile("cell_m = 1\nrings = 16\nhalf_width = 256\nfine_levels = 6"),
+                HasSubstr("the tiles make 6029312 squares a frame; expected at most 4000000"));
+}
+
 TEST(Messages, Primitives) {
     const auto primitive = [](const std::string& kind, const std::string& text) {
         return said("[[object]]\nname = \"o\"\nlist = \"list\"\ncolour = \"grey\"\n[[object." + kind +

@@ -101,6 +101,8 @@ TEST(HostileFile, RecordsAskewAreRefused) {
         Builder builder;
         Parts parts = empty_parts(builder);
         parts.list_names = builder.CreateVectorOfStrings(std::vector<std::string>{"list"});
+        builder.CreateVectorOfStructs(
+            std::vector<stored::Cluster>(1)); // makes the whole a multiple of 8 bytes
         builder.CreateVector(std::vector<std::uint32_t>(padding));
         std::vector<std::uint32_t> words(1 + sizeof(stored::ObjectList) / sizeof(std::uint32_t));
         const auto vector = builder.CreateVector(words);

@@ -7,10 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <fstream>
 
 namespace linkdig::database {
@@ -114,11 +116,40 @@ TEST(WriteDatabase, SaysWhyAFileCannotBeWritten) {
     EXPECT_THAT(folder.names(), ElementsAre("d.igdb"));
 }
 
-TEST(WriteDatabase, LeavesNothingWhenTheDiskIsFull) {
-    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-    // Nothing can be created beside a device, so the full disk is met at the temporary name already.
-    EXPECT_THAT(refusal_of_writing(sample_database(), "/dev/full/a.igdb"),
-                StartsWith("cannot write /dev/full/a.igdb: "));
+/// Files of this process end at 1000 bytes, as on a disk that is nearly full, while it lives.
+class SmallDisk {
+public:
+    SmallDisk() {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{.rlim_cur = 1000, .rlim_max = before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &small);
+        before_handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    }
+    ~SmallDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, before_handler_);
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+
+private:
+    rlimit before_{};
+    void (*before_handler_)(int) = nullptr;
+};
+
+TEST(WriteDatabase, LeavesTheOldFileWhenTheDiskIsFull) {
+    const TestFolder folder;
+    const std::string path = folder.file("a.igdb");
+    write_database(VisualDatabase{}, path);
+    ASSERT_GT(encode_database(sample_database()).size(), 1000U);
+    std::string refusal;
+    {
+        const SmallDisk disk;
+        refusal = refusal_of_writing(sample_database(), path);
+    }
+    EXPECT_EQ(refusal, "cannot write " + path + ": File too large");
+    EXPECT_THAT(folder.names(), ElementsAre("a.igdb"));
+    EXPECT_TRUE(*read_database(path).database == VisualDatabase{});
 }
 
 TEST(ReadDatabase, SaysWhyAFileCannotBeRead) {

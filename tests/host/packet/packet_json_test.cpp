@@ -59,7 +59,7 @@ TEST(PacketJson, ReadsAsTheStructsDo) {
     packet.frame = 7;
     packet.database_id = 0x1f;
     packet.channels.push_back({.eye_m = {1.5, -2, 30}, .attitude = {}});
-    packet.suns = {{0.6F, 0, 0.8F}};
+    packet.suns.emplace_back(0.6F, 0.0F, 0.8F);
     packet.lighting = {{.list = 3, .ambient = 0.3F}};
     packet.substitutions = {{.slot = 0, .index = 27}};
     EXPECT_EQ(
