@@ -3,8 +3,8 @@
 # lines are the last output and tell the truth.
 #
 #   tools/test.sh          the machine's hashes under g++ Debug, clang++ Release and clang++ Debug, then every test
-#                          of the g++ Release build, with format check and clang-tidy
-#   tools/test.sh --all    the same with every test in every preset, the long ones too
+#                          of the g++ Release build, with format check and clang-tidy of the machine
+#   tools/test.sh --all    the same with every test in every preset, the long ones too, and clang-tidy of everything
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"

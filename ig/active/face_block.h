@@ -56,6 +56,7 @@ struct ActiveDatabase {
     std::vector<Face> made_faces;
     std::vector<FaceRun> made_runs;
     std::vector<RunLeaf> made_leaves;
+    std::vector<Vec3f> updated_normals;       ///< of the tile at hand, where the packet changes them
     std::vector<std::uint32_t> made_faces_of; ///< blocks whose faces were made this frame
 };
 

@@ -32,12 +32,7 @@ public:
         : tile_(tile), normals_(database.tile_normals.data() + tile.first_normal),
           face_normals_(database.tile_normals.data() + tile.first_face_normal), active_(active),
           half_width_(tile.half_width) {
-        for (const VertexNormalUpdate& update : packet.normal_updates) {
-            if (update.list == block.list && update.first == 0 &&
-                update.normals.size() == std::size_t{tile.period} * tile.period) {
-                normals_ = update.normals.data();
-            }
-        }
+        take_updates(packet, block.list);
         look_from(packet, configuration, block);
         mean_ = Vec3f(0, 0, static_cast<float>(sine(static_cast<double>(tile.vertical_angle_rad))));
     }
@@ -58,6 +53,19 @@ public:
     Vec3d origin_m() const { return {origin_.x, origin_.y, 0.0}; }
 
 private:
+    /// The report's first method (3.1.4): the host's own vertex normals in place of the modelled ones.
+    void take_updates(const FramePacket& packet, std::uint32_t list) {
+        for (const VertexNormalUpdate& update : packet.normal_updates) {
+            if (update.list != list) continue;
+            auto& updated = active_.updated_normals;
+            if (normals_ != updated.data()) {
+                updated.assign(normals_, normals_ + std::size_t{tile_.period} * tile_.period);
+                normals_ = updated.data();
+            }
+            std::copy(update.normals.begin(), update.normals.end(), updated.begin() + update.first);
+        }
+    }
+
     void look_from(const FramePacket& packet, const Configuration& configuration, const FaceBlock& block) {
         lines_per_tangent_ = 1e9;
         bool first = true;

@@ -68,6 +68,22 @@ void check(const Configuration& configuration) {
     }
 }
 
+/// Vertex normals can be sent for lists that repeat a tile, as many as the tile has. Empty: they fit.
+std::string check_normal_updates(const VisualDatabase& database, const FramePacket& packet) {
+    for (std::size_t k = 0; k < packet.normal_updates.size(); ++k) {
+        const VertexNormalUpdate& update = packet.normal_updates[k];
+        const std::string field = "normal_updates[" + std::to_string(k) + "]";
+        const std::int32_t tile = database.lists[update.list].tile;
+        if (tile == none) return field + ".list has no repeated tile; expected a list that has one";
+        const std::size_t period = database.tiles[static_cast<std::size_t>(tile)].period;
+        if (update.first + update.normals.size() > period * period) {
+            return field + " ends at normal " + std::to_string(update.first + update.normals.size()) +
+                   "; expected at most " + std::to_string(period * period);
+        }
+    }
+    return {};
+}
+
 Colour background_of(const FramePacket& packet) {
     const auto level = [](float value) {
         return static_cast<std::uint8_t>(std::floor(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
@@ -180,7 +196,8 @@ const FrameReport& Machine::frame(const FramePacket& packet) {
     FrameReport& report = state_->report;
     report.frame = packet.frame;
     report.errors.clear();
-    const std::string refusal = check_packet(packet, state_->limits);
+    std::string refusal = check_packet(packet, state_->limits);
+    if (refusal.empty()) refusal = check_normal_updates(state_->database, packet);
     if (refusal.empty()) {
         state_->draw(packet);
     } else {

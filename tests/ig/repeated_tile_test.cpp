@@ -122,6 +122,30 @@ TEST(RepeatedTile, DoesNotSparkleFarAway) {
     }
 }
 
+TEST(RepeatedTile, TakesTheHostsVertexNormals) {
+    // Turning every normal by an angle is turning the sun by it the other way: the report's two methods agree.
+    const VisualDatabase database = sea_database();
+    Machine by_sun(database, raster_of(256, 256));
+    Machine by_normals(database, raster_of(256, 256));
+    const double turn_rad = 1.1;
+    by_sun.frame(packet_of(channel_at({0, 0, 30}, 20.0, -20.0), 0.4 - turn_rad));
+    FramePacket packet = packet_of(channel_at({0, 0, 30}, 20.0, -20.0), 0.4);
+    VertexNormalUpdate update;
+    const SineCosine turn = sine_cosine(turn_rad);
+    for (std::size_t k = 0; k < 64 * 64; ++k) {
+        const Vec3d n(database.tile_normals[k]);
+        update.normals.push_back(
+            Vec3f(Vec3d(n.x * turn.cosine - n.y * turn.sine, n.x * turn.sine + n.y * turn.cosine, n.z)));
+    }
+    packet.normal_updates = {update};
+    ASSERT_TRUE(by_normals.frame(packet).errors.empty());
+    EXPECT_LE(greatest_difference(by_sun.picture(0), by_normals.picture(0)), 1);
+    packet.normal_updates[0].first = 1; // one too many
+    const FrameReport& report = by_normals.frame(packet);
+    ASSERT_EQ(report.errors.size(), 1U);
+    EXPECT_EQ(report.errors[0], "normal_updates[0] ends at normal 4097; expected at most 4096");
+}
+
 TEST(RepeatedTile, ContrastGoesWithTheSun) {
     // A sun in the zenith lights every normal of one vertical angle alike: sea state 0 (report, Figure 4).
     const VisualDatabase database = sea_database();
