@@ -27,6 +27,7 @@ struct DemoOptions {
     std::optional<std::uint64_t> frames;
     std::optional<std::string> size;
     std::string profile = "modern";
+    bool no_smoothing = false;
     std::optional<double> frames_per_second;
     bool headless = false;
     std::string out = "out/approach";
@@ -41,7 +42,8 @@ FlightRequest request_of(const DemoOptions& options, bool headless) {
     request.scenario_path = shipped_scenes() + "/first_flight/approach.toml";
     request.duration_s = options.seconds;
     request.seed = options.seed;
-    request.configuration = configuration_of(options.profile, options.size, std::nullopt, options.threads);
+    request.configuration =
+        configuration_of(options.profile, options.size, std::nullopt, options.threads, options.no_smoothing);
     const double rate_hz = headless ? headless_rate_hz : request.configuration.update_rate_hz;
     request.configuration.update_rate_hz = options.frames_per_second.value_or(rate_hz);
     return request;
@@ -116,6 +118,8 @@ void add_demo(CLI::App& app, int& exit_code) {
     demo->add_option("--frames", options->frames, "Draw this many frames, whatever the length of the flight")
         ->check(CLI::Range(1, 1000000));
     demo->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
+    demo->add_flag("--no-smoothing", options->no_smoothing,
+                   "Show faces by pixel centres, without smoothed edges");
     demo->add_option("--profile", options->profile, "Machine profile")
         ->check(CLI::IsMember({"ames", "modern"}))
         ->capture_default_str();

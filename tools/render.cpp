@@ -27,6 +27,7 @@ struct RenderOptions {
     std::string out = "out/render";
     std::optional<std::string> size;
     std::string profile = "modern";
+    bool no_smoothing = false;
     double frames_per_second = 30.0;
     std::uint32_t threads = 0;
 };
@@ -34,8 +35,8 @@ struct RenderOptions {
 FlightRequest request_of(const RenderOptions& options) {
     FlightRequest request;
     request.scenario_path = options.scenario;
-    request.configuration =
-        configuration_of(options.profile, options.size, options.frames_per_second, options.threads);
+    request.configuration = configuration_of(options.profile, options.size, options.frames_per_second,
+                                             options.threads, options.no_smoothing);
     return request;
 }
 
@@ -84,6 +85,8 @@ void add_render(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     render->add_option("--out", options->out, "Folder of the files")->capture_default_str();
     render->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
+    render->add_flag("--no-smoothing", options->no_smoothing,
+                     "Show faces by pixel centres, without smoothed edges");
     render->add_option("--profile", options->profile, "Machine profile")
         ->check(CLI::IsMember({"ames", "modern"}))
         ->capture_default_str();

@@ -27,6 +27,7 @@ struct WhyOptions {
     std::size_t channel = 0;
     std::optional<std::string> size;
     std::string profile = "modern";
+    bool no_smoothing = false;
     double frames_per_second = 30.0;
     bool json = false;
 };
@@ -154,7 +155,8 @@ void parse_pixel(const std::string& text, const ig::VideoFrame& picture, std::ui
 int run(const WhyOptions& options) {
     FlightRequest request;
     request.scenario_path = options.scenario;
-    request.configuration = configuration_of(options.profile, options.size, options.frames_per_second, 0);
+    request.configuration =
+        configuration_of(options.profile, options.size, options.frames_per_second, 0, options.no_smoothing);
     Flight flight(request);
     if (options.channel >= flight.scenario().channels.size()) {
         throw BadInput(
@@ -193,6 +195,8 @@ void add_why(CLI::App& app, int& exit_code) {
     why->add_option("--at", options->at, "COLUMN,ROW of the pixel, from the upper left corner")->required();
     why->add_option("--channel", options->channel, "Channel of the scenario, from 0")->capture_default_str();
     why->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
+    why->add_flag("--no-smoothing", options->no_smoothing,
+                  "Show faces by pixel centres, without smoothed edges");
     why->add_option("--profile", options->profile, "Machine profile")
         ->check(CLI::IsMember({"ames", "modern"}))
         ->capture_default_str();

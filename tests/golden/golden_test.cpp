@@ -47,6 +47,7 @@ Golden read_golden(const fs::path& folder) {
         golden.configuration.raster.scan = reader.choice("scan", 0, {"horizontal", "vertical"}) == 0
                                                ? ig::Scan::horizontal
                                                : ig::Scan::vertical;
+        golden.configuration.edge_smoothing = reader.boolean("smoothing", false);
         golden.configuration.threads = 1;
         reader.finish();
     }

@@ -52,7 +52,7 @@ VisualDatabase database_of(const std::vector<std::vector<Corner>>& faces, bool t
 }
 
 Configuration raster_of(std::uint32_t width, std::uint32_t height, Scan scan = Scan::horizontal) {
-    Configuration configuration = modern_profile();
+    Configuration configuration;
     configuration.raster = {width, height, scan};
     configuration.threads = 1;
     return configuration;

@@ -91,7 +91,7 @@ VisualDatabase empty_database() {
 }
 
 Configuration small_raster(std::uint32_t side) {
-    Configuration configuration = modern_profile();
+    Configuration configuration;
     configuration.raster.width = side;
     configuration.raster.height = side;
     configuration.threads = 1;

@@ -14,7 +14,7 @@ namespace linkdig::ig {
 namespace {
 
 Configuration raster_of(std::uint32_t width, std::uint32_t height) {
-    Configuration configuration = modern_profile();
+    Configuration configuration;
     configuration.raster.width = width;
     configuration.raster.height = height;
     configuration.threads = 1;

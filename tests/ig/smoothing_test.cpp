@@ -243,7 +243,7 @@ TEST(Smoothing, AThinStripeKeepsItsLightWhereverItLies) {
 
 TEST(Smoothing, TheSeaLetsNoSkyThrough) {
     const VisualDatabase database = sea_database();
-    Configuration configuration = modern_profile();
+    Configuration configuration;
     configuration.edge_smoothing = true;
     for (const Scan scan : {Scan::horizontal, Scan::vertical}) {
         configuration.raster = {160, 160, scan};
@@ -266,7 +266,7 @@ TEST(Smoothing, ThreadsAndScansDoNotMatter) {
     const VisualDatabase database = sea_database();
     std::vector<std::uint32_t> expected;
     for (const std::uint32_t threads : {1U, 2U, 4U}) {
-        Configuration configuration = modern_profile();
+        Configuration configuration;
         configuration.edge_smoothing = true;
         configuration.raster = {200, 200, Scan::horizontal};
         configuration.threads = threads;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t side = 200;
 
 Configuration raster_of(Scan scan) {
-    Configuration configuration = modern_profile();
+    Configuration configuration;
     configuration.raster = {side, side, scan};
     configuration.threads = 1;
     return configuration;

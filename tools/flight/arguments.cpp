@@ -50,9 +50,11 @@ FrameRange parse_frames(const std::string& text) {
 }
 
 ig::Configuration configuration_of(const std::string& profile, const std::optional<std::string>& size,
-                                   std::optional<double> frames_per_second, std::uint32_t threads) {
+                                   std::optional<double> frames_per_second, std::uint32_t threads,
+                                   bool no_smoothing) {
     ig::Configuration configuration = profile == "ames" ? ig::ames_profile() : ig::modern_profile();
     configuration.threads = threads;
+    if (no_smoothing) configuration.edge_smoothing = false;
     if (frames_per_second) configuration.update_rate_hz = *frames_per_second;
     if (size) {
         const PictureSize asked = parse_size(*size);

@@ -26,8 +26,9 @@ struct FrameRange {
 /// "10:20", or "10" for that frame alone. Throws std::invalid_argument, saying what was expected.
 FrameRange parse_frames(const std::string& text);
 
-/// The machine that --profile, --size, --fps and --threads ask for. Throws as parse_size() does.
+/// The machine that --profile, --size, --fps and --threads ask for, its edges smoothed unless --no-smoothing is given. Throws as parse_size() does.
 ig::Configuration configuration_of(const std::string& profile, const std::optional<std::string>& size,
-                                   std::optional<double> frames_per_second, std::uint32_t threads);
+                                   std::optional<double> frames_per_second, std::uint32_t threads,
+                                   bool no_smoothing);
 
 } // namespace linkdig::tools
