@@ -24,6 +24,9 @@ struct Configuration {
     const char* name = "modern";
     Raster raster{};
     double update_rate_hz = 60.0;
+    /// Whole update periods between a packet and the first line of its picture. Modelled time: frame N of a dump is the
+    /// picture of packet N, the delay belongs to display and report.
+    std::uint32_t pipeline_updates = 0;
     /// Pixels that an edge crosses show each face by its share of their area.
     bool edge_smoothing = false;
     /// Threads that draw bands; 0: as many as the machine has. The picture does not depend on it.
@@ -34,13 +37,29 @@ struct Configuration {
 inline Configuration modern_profile() { return {.edge_smoothing = true}; }
 
 /// `ames`: vertical scan (S: report, section 1.0); 30 Hz update (CK: norm of the time); raster size estimated (EST: it
-/// could not be established; a 4:3 picture of roughly a thousand lines of the period). Smoothed edges are the maker's
+/// could not be established; a 4:3 picture of roughly a thousand lines of the period). Two updates of computing and one of
+/// scanning out (EST: gives the 83 ms at mid-screen that are remembered, CK low, of the simulator's reports). Smoothed edges are the maker's
 /// design style of those years (S: US 4208719, filed 1978, and US 4371872, filed 1979), for this machine estimated.
 inline Configuration ames_profile() {
     return {.name = "ames",
             .raster = {.width = 768, .height = 576, .scan = Scan::vertical},
             .update_rate_hz = 30.0,
+            .pipeline_updates = 2,
             .edge_smoothing = true};
+}
+
+/// When a picture's lines are shown, counted from the packet.
+struct DisplayDelay {
+    double first_line_s = 0.0;
+    double middle_line_s = 0.0;
+    double last_line_s = 0.0;
+};
+
+/// Lines are scanned out evenly over one update, in two fields if the profile interlaces them.
+inline DisplayDelay display_delay(const Configuration& configuration) {
+    const double update_s = 1.0 / configuration.update_rate_hz;
+    const double first = configuration.pipeline_updates * update_s;
+    return {first, first + 0.5 * update_s, first + update_s};
 }
 
 /// Largest raster side, and so the bound of every fixed-point format below.

@@ -111,6 +111,7 @@ private:
         face.normal = Vec3f(model.plane.normal);
         face.shading = model.style.shading;
         face.two_sided = model.style.two_sided ? 1 : 0;
+        face.opacity = model.style.opacity;
         face.file = model.at.file;
         face.line = model.at.line;
         database_.faces.push_back(face);

@@ -26,6 +26,7 @@ struct FaceStyle {
     Shading shading = Shading::face;
     bool two_sided = false;
     std::int32_t layer = 0;
+    std::uint16_t opacity = 256; ///< of 256
 };
 
 struct ModelFace {
@@ -64,7 +65,7 @@ std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Readin
 /// One object per alternative of the slot, its shape between the key shapes before and after (report, 3.2.2).
 void read_sequence(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
 
-/// colour, shading, two_sided and layer of a table, falling back on `inherited`.
+/// colour, shading, two_sided, layer and opacity of a table, falling back on `inherited`.
 FaceStyle read_style(TableReader& reader, const Reading& reading, const FaceStyle& inherited);
 /// list and slot; `slot_required`: of a sequence. Sets `resolved`.
 void read_membership(TableReader& reader, const Reading& reading, bool slot_required, ModelObject& object);

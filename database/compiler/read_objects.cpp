@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -20,6 +21,8 @@ FaceStyle read_style(TableReader& reader, const Reading& reading, const FaceStyl
         reader.choice("shading", static_cast<std::size_t>(inherited.shading), {"none", "face", "vertex"}));
     style.two_sided = reader.boolean("two_sided", inherited.two_sided);
     style.layer = static_cast<std::int32_t>(reader.integer("layer", inherited.layer, -10000, 10000));
+    const double opacity = reader.number("opacity", inherited.opacity / 256.0, {1.0 / 256.0, 1.0});
+    style.opacity = static_cast<std::uint16_t>(std::floor(opacity * 256.0 + 0.5));
     return style;
 }
 

@@ -89,6 +89,7 @@ public:
             read_cluster(each);
         for (const AuthoredTable each : tables.lists)
             read_list(each);
+        resolve_added_lists();
         if (registry.colours.size() > std::numeric_limits<std::uint16_t>::max())
             diagnostics_->error(
                 sources_->location(place_of(*tables.colours.back().table, tables.colours.back().file)),
@@ -187,8 +188,26 @@ private:
         entry.list.origin_m = each.point_m("origin", Vec3d(0.0));
         check_reach(each, "origin_m", entry.list.origin_m);
         read_attachment(each, entry);
+        entry.added_to = each.text("added_to", "");
+        entry.added_to_at = each.at("added_to");
         registry.lists.push_back(entry);
         each.finish();
+    }
+
+    /// Lists may be named before they stand in a file, so names are looked up when all are known.
+    void resolve_added_lists() {
+        for (std::size_t i = 0; i < registry.lists.size(); ++i) {
+            AuthoredList& entry = registry.lists[i];
+            if (entry.added_to.empty()) continue;
+            const auto found = registry.list_names.find(entry.added_to);
+            if (!found) {
+                diagnostics_->error(entry.added_to_at, registry.list_names.unknown(entry.added_to));
+            } else if (*found == i) {
+                diagnostics_->error(entry.added_to_at, "a list is added to itself; expected another list");
+            } else {
+                entry.list.added_to = static_cast<std::int32_t>(*found);
+            }
+        }
     }
 
     /// A moving cluster's lists hang in its body unless they say otherwise.

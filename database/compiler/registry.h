@@ -44,6 +44,8 @@ struct AuthoredList {
     ObjectList list;         ///< without its tree
     bool in_cluster = false; ///< its cluster is known
     bool resolved = false;   ///< its cluster and sun are known
+    std::string added_to;    ///< name of the list that it is added to, or empty
+    SourceLocation added_to_at;
     Place at;
 };
 

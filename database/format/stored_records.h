@@ -23,8 +23,15 @@ inline Vertex from_stored(const stored::Vertex& v) {
 }
 
 inline stored::Face to_stored(const Face& f) {
-    return {f.first_corner, f.object, f.line, to_stored(f.normal),
-            f.corner_count, f.colour, f.file, static_cast<std::uint8_t>(f.shading),
+    return {f.first_corner,
+            f.object,
+            f.line,
+            to_stored(f.normal),
+            f.corner_count,
+            f.colour,
+            f.file,
+            f.opacity,
+            static_cast<std::uint8_t>(f.shading),
             f.two_sided};
 }
 inline Face from_stored(const stored::Face& f) {
@@ -36,7 +43,8 @@ inline Face from_stored(const stored::Face& f) {
             .shading = static_cast<Shading>(f.shading()),
             .two_sided = f.two_sided(),
             .file = f.file(),
-            .line = f.line()};
+            .line = f.line(),
+            .opacity = f.opacity()};
 }
 
 inline stored::FaceRun to_stored(const FaceRun& r) {
@@ -83,7 +91,8 @@ inline stored::ObjectList to_stored(const ObjectList& l) {
             l.ambient,
             l.diffuse,
             l.root,
-            l.tile};
+            l.tile,
+            l.added_to};
 }
 inline ObjectList from_stored(const stored::ObjectList& l) {
     return {.name = {},
@@ -95,7 +104,8 @@ inline ObjectList from_stored(const stored::ObjectList& l) {
             .diffuse = l.diffuse(),
             .origin_m = from_stored(l.origin_m()),
             .root = l.root(),
-            .tile = l.tile()};
+            .tile = l.tile(),
+            .added_to = l.added_to()};
 }
 
 inline stored::Cluster to_stored(const Cluster& c) {

@@ -40,6 +40,7 @@ std::string check_face(const VisualDatabase& database, std::size_t i) {
         return out_of_range("faces", i, "file", face.file, database.source_files.size(), "source_files");
     if (face.shading > Shading::vertex) return wrong("faces", i, "shading is none of none, face, vertex");
     if (face.two_sided > 1) return wrong("faces", i, "two_sided is neither 0 nor 1");
+    if (face.opacity < 1 || face.opacity > 256) return wrong("faces", i, "opacity is not in 1 to 256");
     if (!within(length_of(face.normal), 1.0 - unit_tolerance, 1.0 + unit_tolerance))
         return wrong("faces", i, "normal is not a unit vector");
     return {};

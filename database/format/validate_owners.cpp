@@ -85,6 +85,10 @@ std::string check_lists(const VisualDatabase& database) {
             return wrong("lists", i, "origin_m is not finite, or beyond 1e7 m");
         if (!none_or_below(list.tile, database.tiles.size()))
             return out_of_range("lists", i, "tile", list.tile, database.tiles.size(), "tiles");
+        if (!none_or_below(list.added_to, database.lists.size()))
+            return out_of_range("lists", i, "added_to", list.added_to, database.lists.size(), "lists");
+        if (list.added_to == static_cast<std::int32_t>(i))
+            return wrong("lists", i, "added_to is the list itself");
     }
     return {};
 }

@@ -59,9 +59,11 @@ struct Face {
     std::uint32_t object = 0;       ///< into VisualDatabase::objects
     Vec3f normal{0, 0, 1};          ///< unit, in the list's frame; lights face-shaded faces
     Shading shading = Shading::face;
-    std::uint8_t two_sided = 0; ///< 1: seen from both sides (lit by its front normal)
-    std::uint16_t file = 0;     ///< into VisualDatabase::source_files
-    std::uint32_t line = 0;     ///< line of the authoring file; 0 if generated
+    std::uint8_t two_sided = 0;  ///< 1: seen from both sides (lit by its front normal)
+    std::uint16_t file = 0;      ///< into VisualDatabase::source_files
+    std::uint32_t line = 0;      ///< line of the authoring file; 0 if generated
+    std::uint16_t opacity = 256; ///< of 256: what it takes of the light behind it; 1 to 256
+    std::uint16_t reserved = 0;
     bool operator==(const Face&) const = default;
 };
 
@@ -136,6 +138,9 @@ struct ObjectList {
     Vec3d origin_m{0};        ///< of the vertices, in the frame named by attachment
     std::int32_t root = none; ///< tree of the list: leaf references point into run_leaves
     std::int32_t tile = none; ///< repeated tile whose copies the active data base puts in, or none
+    /// Additive list (report, 3.2.3): its faces hide nothing; their light is added to that of the next face behind them
+    /// if that belongs to this list, and over anything else they are not seen. None: an ordinary list.
+    std::int32_t added_to = none;
     bool operator==(const ObjectList&) const = default;
 };
 

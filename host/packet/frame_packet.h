@@ -62,7 +62,7 @@ struct VertexNormalUpdate {
 
 /// Parameters of the sea that generators at frame time may use; nothing from ig/geometry down reads them.
 struct SeaParameters {
-    float state = 0;            ///< report's sea state: 0, 1.5 ("1-2"), 3
+    float state = 0; ///< report's sea state: 0, 1.5 ("1-2"), 3
     float current_east_mps = 0;
     float current_north_mps = 0;
 };
@@ -78,7 +78,7 @@ struct FramePacket {
     std::vector<Substitution> substitutions;
     std::vector<VertexNormalUpdate> normal_updates;
     float lod_bias = 0.0F;
-    float visibility_m = 0.0F; ///< meteorological optical range; 0: unlimited
+    float visibility_m = 0.0F;      ///< meteorological optical range; 0: unlimited
     Vec3f sky{0.60F, 0.72F, 0.86F}; ///< colour where no face is, display-referred 0 to 1
     float time_of_day_h = 12.0F;
     SeaParameters sea;

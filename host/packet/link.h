@@ -8,7 +8,7 @@
 namespace linkdig {
 
 class Link {
-  public:
+public:
     virtual ~Link() = default;
     /// Hands over one frame's packet; returns when the picture of that packet is done (or has been queued).
     /// The report is valid until the next call.

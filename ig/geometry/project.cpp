@@ -135,6 +135,7 @@ private:
         const Face& face = block_->faces[f];
         face_index_ = f;
         two_sided_ = face.two_sided != 0;
+        opacity_ = face.opacity;
         colour_ = block_->colour == none ? face.colour : static_cast<std::uint16_t>(block_->colour);
         const std::uint32_t* corners = block_->corners.data() + face.first_corner;
         std::uint8_t all = 0xff;
@@ -178,11 +179,13 @@ private:
 
     void put_smooth(const std::uint32_t* corners, std::uint32_t count) {
         bool level = true;
+        std::uint8_t any = 0;
         for (std::uint32_t k = 0; k < count; ++k) {
+            any |= see(corners[k]).outside;
             light(see(corners[k]), corners[k]);
             level = level && see(corners[k]).point.intensity == see(corners[0]).point.intensity;
         }
-        if (level) {
+        if (level && (any & before_near) == 0) {
             put_flat(corners, count, static_cast<std::int32_t>(see(corners[0]).point.intensity));
             return;
         }
@@ -229,18 +232,42 @@ private:
                 0.5 * (a.intensity + b.intensity)};
     }
 
+    /// An edge is halved if one of its own ends lies before the near plane: both faces that share it agree.
+    static bool halved(const ClipPoint& a, const ClipPoint& b) {
+        return near_plane(a) < 0.0 || near_plane(b) < 0.0;
+    }
+
     void put_subdivided(const std::array<ClipPoint, 3>& t, int divisions) {
-        if (divisions == 0) {
+        const bool ab_halved = halved(t[0], t[1]);
+        const bool bc_halved = halved(t[1], t[2]);
+        const bool ca_halved = halved(t[2], t[0]);
+        if (divisions == 0 || (!ab_halved && !bc_halved && !ca_halved)) {
             put_clipped_to_near(t);
             return;
         }
         const ClipPoint ab = middle(t[0], t[1]);
         const ClipPoint bc = middle(t[1], t[2]);
         const ClipPoint ca = middle(t[2], t[0]);
-        put_subdivided({t[0], ab, ca}, divisions - 1);
-        put_subdivided({ab, t[1], bc}, divisions - 1);
-        put_subdivided({ca, bc, t[2]}, divisions - 1);
-        put_subdivided({ab, bc, ca}, divisions - 1);
+        if (ab_halved && bc_halved && ca_halved) {
+            put_subdivided({t[0], ab, ca}, divisions - 1);
+            put_subdivided({ab, t[1], bc}, divisions - 1);
+            put_subdivided({ca, bc, t[2]}, divisions - 1);
+            put_subdivided({ab, bc, ca}, divisions - 1);
+        } else if (
+            !bc_halved) { // one corner lies before the near plane, and halves the two edges that meet in it
+            put_cut_corner(t[0], t[1], t[2], ab, ca, divisions - 1);
+        } else if (!ca_halved) {
+            put_cut_corner(t[1], t[2], t[0], bc, ab, divisions - 1);
+        } else {
+            put_cut_corner(t[2], t[0], t[1], ca, bc, divisions - 1);
+        }
+    }
+
+    void put_cut_corner(const ClipPoint& corner, const ClipPoint& next, const ClipPoint& last,
+                        const ClipPoint& to_next, const ClipPoint& to_last, int divisions) {
+        put_subdivided({corner, to_next, to_last}, divisions);
+        put_subdivided({to_next, next, last}, divisions);
+        put_subdivided({to_next, last, to_last}, divisions);
     }
 
     void clip_near() { clip(scratch_.polygon, near_plane, scratch_.spare); }
@@ -325,7 +352,10 @@ private:
                               .intensity = intensity,
                               .block = block_index_,
                               .face = face_index_,
-                              .depth = depth_});
+                              .depth = depth_,
+                              .list = block_->list,
+                              .added_to = active_.database->lists[block_->list].added_to,
+                              .opacity = opacity_});
     }
 
     const ActiveDatabase& active_;
@@ -344,6 +374,7 @@ private:
     std::uint32_t face_index_ = 0;
     std::int32_t depth_ = -1;
     std::uint16_t colour_ = 0;
+    std::uint16_t opacity_ = opaque;
     bool two_sided_ = false;
 };
 

@@ -188,6 +188,9 @@ struct Machine::State {
 Machine::Machine(const VisualDatabase& database, const Configuration& configuration) {
     check(configuration);
     state_ = std::make_unique<State>(database, configuration);
+    const DisplayDelay delay = display_delay(configuration);
+    state_->report.first_line_delay_s = delay.first_line_s;
+    state_->report.last_line_delay_s = delay.last_line_s;
 }
 
 Machine::~Machine() = default;

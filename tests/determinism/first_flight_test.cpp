@@ -36,14 +36,17 @@ const Flight& flight() {
     return shipped;
 }
 
-void expect_frames(const std::string& name, const ig::Raster& raster, std::vector<std::uint64_t> frames) {
+void expect_frames(const std::string& name, const ig::Raster& raster, std::vector<std::uint64_t> frames,
+                   bool edge_smoothing = false, float visibility_m = 0.0F) {
     const double aspect = static_cast<double>(raster.width) / raster.height;
     host::HostLoop loop(flight().scenario, database::name_directory(flight().database, flight().id),
                         update_rate_hz, aspect);
     std::vector<NamedPacket> packets;
-    for (const std::uint64_t frame : frames)
+    for (const std::uint64_t frame : frames) {
         packets.push_back({"first_flight/" + name + "/" + std::to_string(frame), loop.packet(frame, {})});
-    expect_pictures(flight().database, packets, raster);
+        packets.back().packet.visibility_m = visibility_m;
+    }
+    expect_pictures(flight().database, packets, raster, edge_smoothing);
 }
 
 } // namespace
@@ -56,6 +59,16 @@ TEST(FirstFlight, HorizontalScanKeepsItsBytes) {
 
 TEST(FirstFlight, VerticalScanKeepsItsBytes) {
     expect_frames("vertical", {384, 288, ig::Scan::vertical}, {0, 599});
+}
+
+TEST(FirstFlight, SmoothedEdgesKeepTheirBytes) {
+    expect_frames("smoothed", {320, 240, ig::Scan::horizontal}, {200, 599}, true);
+    expect_frames("smoothed_vertical", {320, 240, ig::Scan::vertical}, {599}, true);
+}
+
+TEST(FirstFlight, HazeKeepsItsBytes) {
+    expect_frames("haze", {320, 240, ig::Scan::horizontal}, {200, 599}, false, 900.0F);
+    expect_frames("smoothed_haze", {320, 240, ig::Scan::vertical}, {400}, true, 900.0F);
 }
 
 } // namespace linkdig::determinism

@@ -43,9 +43,11 @@ std::vector<Way> ways() {
 
 /// One hash per packet, all drawn by the same machine, one after the other.
 std::vector<std::uint64_t> hashes_of(const VisualDatabase& database, std::span<const NamedPacket> packets,
-                                     const ig::Raster& raster, const Way& way) {
+                                     const ig::Raster& raster, bool edge_smoothing, const Way& way) {
     EXPECT_TRUE(ig::use_simd_level(way.simd)) << way.simd;
-    ig::Machine machine(database, {.name = "determinism", .raster = raster, .threads = way.threads});
+    ig::Machine machine(
+        database,
+        {.name = "determinism", .raster = raster, .edge_smoothing = edge_smoothing, .threads = way.threads});
     std::vector<std::uint64_t> hashes;
     for (const NamedPacket& named : packets) {
         const FrameReport& report = machine.frame(named.packet);
@@ -67,12 +69,12 @@ void print_row(const std::string& name, const Way& way, std::uint64_t hash) {
 } // namespace
 
 void expect_pictures(const VisualDatabase& database, std::span<const NamedPacket> packets,
-                     const ig::Raster& raster) {
+                     const ig::Raster& raster, bool edge_smoothing) {
     // Four threads must be four, whatever the number of processors.
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 4);
     std::vector<std::uint64_t> first;
     for (const Way& way : ways()) {
-        const std::vector<std::uint64_t> hashes = hashes_of(database, packets, raster, way);
+        const std::vector<std::uint64_t> hashes = hashes_of(database, packets, raster, edge_smoothing, way);
         if (first.empty()) first = hashes;
         for (std::size_t i = 0; i < packets.size(); ++i) {
             print_row(packets[i].name, way, hashes[i]);

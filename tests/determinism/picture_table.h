@@ -19,6 +19,6 @@ struct NamedPacket {
 /// processor has. Expects one and the same hash of all of them, and that it is the committed one. Prints a
 /// table: compiler, build type, threads, SIMD level, hash.
 void expect_pictures(const VisualDatabase& database, std::span<const NamedPacket> packets,
-                     const ig::Raster& raster);
+                     const ig::Raster& raster, bool edge_smoothing = false);
 
 } // namespace linkdig::determinism

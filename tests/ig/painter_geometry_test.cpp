@@ -55,7 +55,7 @@ TEST(PainterAgainstGeometry, sea_from_all_attitudes) {
     const VisualDatabase database = sea_database();
     RandomStream random(11);
     std::size_t faces = 0;
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 1500; ++i) { // a gap or a doubled pixel at the near plane shows in one view of 250
         SCOPED_TRACE("view " + std::to_string(i));
         FramePacket packet;
         const double height = i % 3 == 0 ? random.between(0.3, 3.0) : random.between(3.0, 300.0);
@@ -67,7 +67,7 @@ TEST(PainterAgainstGeometry, sea_from_all_attitudes) {
             scene_of(database, packet, {160, 120, i % 2 == 0 ? Scan::horizontal : Scan::vertical});
         faces += scene.projected.faces.size();
         expect_contract(scene.projected);
-        expect_agreement(scene);
+        if (i < 12) expect_agreement(scene);
         // Squares, rings and the horizon are one mesh: whoever turns over the sea sees no pixel of it twice.
         const std::vector<std::uint32_t> count = support::coverage(scene.projected, scene.raster);
         EXPECT_EQ(*std::max_element(count.begin(), count.end()), 1U);

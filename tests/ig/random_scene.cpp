@@ -27,14 +27,6 @@ RasterPoint random_point(RandomStream& random, const Raster& raster, double marg
     return point;
 }
 
-std::array<std::int32_t, 3> random_intensities(RandomStream& random) {
-    std::array<std::int32_t, 3> intensities{};
-    for (std::int32_t& i : intensities)
-        i = random.integer(0, intensity_one);
-    if (random.one_in(8)) intensities = {0, intensity_one, intensity_one};
-    return intensities;
-}
-
 /// Corners of an ellipse, snapped: convex but for the snapping, and still rising and falling once along the
 /// lines.
 std::vector<RasterPoint> random_polygon(RandomStream& random, RasterPoint centre, double radius_px) {
@@ -184,35 +176,6 @@ bool add_near_miss(Scene& scene, RandomStream& random) {
     return true;
 }
 
-void shuffle_ranks(Scene& scene, RandomStream& random) {
-    std::vector<ProjectedFace>& faces = scene.projected.faces;
-    for (std::size_t i = faces.size(); i > 1; --i)
-        std::swap(faces[i - 1],
-                  faces[static_cast<std::size_t>(random.integer(0, static_cast<std::int32_t>(i) - 1))]);
-}
-
-/// The grid's corners, row by row; inner ones moved.
-std::vector<RasterPoint> mesh_corners(RandomStream& random, const MeshGrid& grid) {
-    std::vector<RasterPoint> corners;
-    // Under a quarter of the side every triangle keeps a positive area; moving onto a pixel centre adds half
-    // a pixel.
-    const bool onto_centres = grid.side > 2048;
-    const std::int32_t reach = (grid.side - 1) / 4 - (onto_centres ? 128 : 0);
-    for (std::int32_t row = 0; row <= grid.rows; ++row) {
-        for (std::int32_t column = 0; column <= grid.columns; ++column) {
-            RasterPoint corner{grid.origin.line + row * grid.side, grid.origin.element + column * grid.side};
-            const bool inner = row > 0 && row < grid.rows && column > 0 && column < grid.columns;
-            if (inner)
-                corner = {corner.line + random.integer(-reach, reach),
-                          corner.element + random.integer(-reach, reach)};
-            if (inner && onto_centres && random.one_in(4))
-                corner = {(corner.line & ~255) | 128, (corner.element & ~255) | 128};
-            corners.push_back(corner);
-        }
-    }
-    return corners;
-}
-
 } // namespace
 
 std::int64_t doubled_area(std::span<const RasterPoint> points) {
@@ -267,6 +230,21 @@ void add_face(Scene& scene, RandomStream& random, std::vector<RasterPoint> point
     scene.projected.faces.push_back(face);
 }
 
+std::array<std::int32_t, 3> random_intensities(RandomStream& random) {
+    std::array<std::int32_t, 3> intensities{};
+    for (std::int32_t& i : intensities)
+        i = random.integer(0, intensity_one);
+    if (random.one_in(8)) intensities = {0, intensity_one, intensity_one};
+    return intensities;
+}
+
+void shuffle_ranks(Scene& scene, RandomStream& random) {
+    std::vector<ProjectedFace>& faces = scene.projected.faces;
+    for (std::size_t i = faces.size(); i > 1; --i)
+        std::swap(faces[i - 1],
+                  faces[static_cast<std::size_t>(random.integer(0, static_cast<std::int32_t>(i) - 1))]);
+}
+
 Scene random_scene(std::uint64_t seed, const Raster& raster, std::uint32_t faces) {
     RandomStream random(seed);
     Scene scene = empty_scene(random, raster);
@@ -318,76 +296,6 @@ Scene near_miss_scene(std::uint64_t seed, const Raster& raster, std::uint32_t fa
     Scene scene = empty_scene(random, raster);
     while (scene.projected.faces.size() < faces)
         add_near_miss(scene, random);
-    return scene;
-}
-
-Scene mesh_scene(std::uint64_t seed, const Raster& raster, const MeshGrid& grid) {
-    RandomStream random(seed);
-    Scene scene = empty_scene(random, raster);
-    const std::vector<RasterPoint> corners = mesh_corners(random, grid);
-    for (std::int32_t row = 0; row < grid.rows; ++row) {
-        for (std::int32_t column = 0; column < grid.columns; ++column) {
-            const auto corner = [&](std::int32_t down, std::int32_t along) {
-                return corners[static_cast<std::size_t>((row + down) * (grid.columns + 1) + column + along)];
-            };
-            const std::array<RasterPoint, 4> square{corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)};
-            const std::size_t start = random.one_in(2) ? 0 : 1; // which diagonal
-            for (const std::size_t half : {std::size_t{1}, std::size_t{2}})
-                add_face(scene, random,
-                         {square[start], square[(start + half) % 4], square[(start + half + 1) % 4]},
-                         random_intensities(random));
-        }
-    }
-    shuffle_ranks(scene, random);
-    return scene;
-}
-
-Scene tiling_scene(std::uint64_t seed, const Raster& raster, const MeshGrid& grid) {
-    RandomStream random(seed);
-    Scene scene = empty_scene(random, raster);
-    for (std::int32_t row = 0; row < grid.rows; ++row) {
-        for (std::int32_t column = 0; column < grid.columns; ++column) {
-            const std::int32_t l = grid.origin.line + row * grid.side;
-            const std::int32_t e = grid.origin.element + column * grid.side;
-            add_face(scene, random,
-                     {{l, e}, {l, e + grid.side}, {l + grid.side, e + grid.side}, {l + grid.side, e}});
-        }
-    }
-    shuffle_ranks(scene, random);
-    return scene;
-}
-
-Scene fan_scene(std::uint64_t seed, const Raster& raster, RasterPoint hub, std::int32_t half_width) {
-    RandomStream random(seed);
-    Scene scene = empty_scene(random, raster);
-    const std::int32_t reach = 256 * half_width;
-    std::vector<RasterPoint> rim;
-    const std::array<RasterPoint, 4> corners{
-        {{-reach, -reach}, {-reach, reach}, {reach, reach}, {reach, -reach}}};
-    for (std::size_t side = 0; side < 4; ++side) {
-        const RasterPoint from = corners[side];
-        const RasterPoint to = corners[(side + 1) % 4];
-        std::vector<std::int32_t> along{0};
-        for (int i = 0; i < 12; ++i)
-            along.push_back(random.integer(0, 2 * reach - 1));
-        std::sort(along.begin(), along.end());
-        for (const std::int32_t a : along) // from and to differ by 2 reach along one axis
-            rim.push_back({from.line + (to.line > from.line   ? a
-                                        : to.line < from.line ? -a
-                                                              : 0),
-                           from.element + (to.element > from.element   ? a
-                                           : to.element < from.element ? -a
-                                                                       : 0)});
-    }
-    for (std::size_t i = 0; i < rim.size(); ++i) {
-        const RasterPoint& a = rim[i];
-        const RasterPoint& b = rim[(i + 1) % rim.size()];
-        add_face(
-            scene, random,
-            {hub, {hub.line + a.line, hub.element + a.element}, {hub.line + b.line, hub.element + b.element}},
-            random_intensities(random));
-    }
-    shuffle_ranks(scene, random);
     return scene;
 }
 

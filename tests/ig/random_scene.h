@@ -6,6 +6,7 @@
 #include "ig/geometry/projected_face.h"
 #include "tests/support/picture.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -49,6 +50,12 @@ Scene empty_scene(RandomStream& random, const Raster& raster);
 /// random intensity; three make it smooth, of the triangle that its points are.
 void add_face(Scene& scene, RandomStream& random, std::vector<RasterPoint> points,
               std::span<const std::int32_t> intensities = {});
+
+/// Three intensities, now and then the extremes.
+std::array<std::int32_t, 3> random_intensities(RandomStream& random);
+
+/// Puts the faces in random rank order.
+void shuffle_ranks(Scene& scene, RandomStream& random);
 
 /// Faces of all kinds in random rank order. `faces` is their number.
 Scene random_scene(std::uint64_t seed, const Raster& raster, std::uint32_t faces);

@@ -155,6 +155,46 @@ TEST(Sequences, TellOfKeysThatDoNotFit) {
     EXPECT_THAT(said(key(1) + key(5, "[[0, 0, 0], [1, 0, 0]]")), HasSubstr("has 2 corners; expected 3"));
 }
 
+TEST(Objects, OpacityIsAFaceStyle) {
+    const std::string smoke =
+        "[[object]]\nname = \"smoke\"\nlist = \"list\"\ncolour = \"grey\"\nopacity = 0.25\n"
+        "vertices_m = {a = [0, 0, 0], b = [1, 0, 0], c = [1, 1, 0], d = [5, 0, 0], e = [6, 0, 0], f = [6, 1, "
+        "0]}\n"
+        "[[object.face]]\ncorners = [\"a\", \"b\", \"c\"]\n"
+        "[[object.face]]\ncorners = [\"d\", \"e\", \"f\"]\nopacity = 1.0\n";
+    const VisualDatabase d = compiled(smoke);
+    ASSERT_EQ(d.faces.size(), 2U);
+    EXPECT_EQ(d.faces[0].opacity, 64);
+    EXPECT_EQ(d.faces[1].opacity, 256);
+    std::string nothing = smoke;
+    nothing.replace(nothing.find("0.25"), 4, "0.0");
+    EXPECT_THAT(messages(compile_text(scene(nothing))), HasSubstr("\"opacity\""));
+}
+
+TEST(Lists, AreAddedToListsThatStandLater) {
+    const std::string lists =
+        "[[object_list]]\nname = \"wake\"\ncluster = \"cluster\"\nsun = \"sun\"\npriority = -1\n"
+        "added_to = \"water\"\n[[object_list]]\nname = \"water\"\ncluster = \"cluster\"\nsun = \"sun\"\n"
+        "priority = 7\n";
+    const VisualDatabase d = compiled(lists);
+    const auto number_of = [&](std::string_view name) {
+        std::size_t k = 0;
+        while (k < d.lists.size() && d.lists[k].name != name)
+            ++k;
+        return k;
+    };
+    ASSERT_LT(number_of("water"), d.lists.size());
+    EXPECT_EQ(d.lists[number_of("wake")].added_to, static_cast<std::int32_t>(number_of("water")));
+    EXPECT_EQ(d.lists[number_of("water")].added_to, none);
+    std::string wrong = lists;
+    wrong.replace(wrong.find("added_to = \"water\""), 18, "added_to = \"watre\"");
+    EXPECT_THAT(messages(compile_text(scene(wrong))),
+                HasSubstr("no object list is named \"watre\"; did you mean \"water\"?"));
+    wrong = lists;
+    wrong.replace(wrong.find("added_to = \"water\""), 18, "added_to = \"wake\" ");
+    EXPECT_THAT(messages(compile_text(scene(wrong))), HasSubstr("a list is added to itself"));
+}
+
 TEST(Clusters, AreBoxedByTheirContents) {
     const VisualDatabase d = compiled(head + "[[object.box]]\nfrom_m = [0, -2, 1]\nto_m = [10, 2, 3]\n");
     EXPECT_EQ(d.clusters[0].reference_point_m, Vec3d(5, 0, 2));
