@@ -15,14 +15,14 @@ fail() {
 
 demo_packages=(
     cmake ninja-build g++ pkg-config
-    libglm-dev libfmt-dev libspdlog-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
+    libglm-dev libfmt-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
     libflatbuffers-dev flatbuffers-compiler libxxhash-dev
-    libopenimageio-dev openimageio-tools fonts-dejavu-core
+    libopenimageio-dev fonts-dejavu-core
     libsdl2-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
 )
 test_packages=(
     libgtest-dev libgmock-dev clang clang-format clang-tidy python3
-    xvfb xdotool imagemagick
+    xvfb xdotool
 )
 
 set_name=${1:-demo}
