@@ -54,7 +54,8 @@ double arc_tangent_unit(double x) {
     }
     const double x2 = x * x;
     double p = 1.0 / 17.0;
-    for (int k = 15; k >= 1; k -= 2) p = 1.0 / k - x2 * p;
+    for (int k = 15; k >= 1; k -= 2)
+        p = 1.0 / k - x2 * p;
     return scale * x * p;
 }
 
@@ -113,7 +114,8 @@ double exponential(double x) {
     const double k = std::floor(x * 1.44269504088896340736 + 0.5);
     const double r = (x - k * ln2_high) - k * ln2_low;
     double p = 1.0;
-    for (int n = 14; n >= 1; --n) p = 1.0 + p * r / n;
+    for (int n = 14; n >= 1; --n)
+        p = 1.0 + p * r / n;
     const auto exponent = static_cast<std::uint64_t>(static_cast<std::int64_t>(k) + 1023);
     // |k| <= 1010, so the exponent is that of a normal number.
     return p * std::bit_cast<double>(exponent << 52U);
@@ -138,7 +140,8 @@ double logarithm(double x) {
     const double s = (m - 1.0) / (m + 1.0); // log m = 2 atanh s, |s| <= 0.1716
     const double s2 = s * s;
     double p = 1.0 / 21.0;
-    for (int n = 19; n >= 1; n -= 2) p = 1.0 / n + s2 * p;
+    for (int n = 19; n >= 1; n -= 2)
+        p = 1.0 / n + s2 * p;
     return k * ln2_high + (k * ln2_low + 2.0 * s * p);
 }
 

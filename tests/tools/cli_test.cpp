@@ -23,7 +23,7 @@ struct Outcome {
 Outcome run(const std::string& arguments) {
     const TemporaryFolder folder;
     const std::string errors = folder.file("errors");
-    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER " LINKDIG_BINARY " " +
+    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER '" LINKDIG_BINARY "' " +
                                 arguments + " 2>" + errors;
     Outcome outcome;
     FILE* pipe = popen(command.c_str(), "r");
@@ -35,7 +35,7 @@ Outcome run(const std::string& arguments) {
     return outcome;
 }
 
-const std::string scenario = LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml";
+const std::string scenario = "'" LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml'";
 
 TEST(CommandLine, HelpAndVersionAreNoMistakes) {
     const Outcome help = run("--help");

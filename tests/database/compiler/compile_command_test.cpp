@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 int run(const std::string& arguments) {
-    const int status = std::system((std::string(LINKDIG_BINARY) + " compile " + arguments).c_str());
+    const int status = std::system(("'" LINKDIG_BINARY "' compile " + arguments).c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
