@@ -28,22 +28,34 @@ inline std::uint32_t shade(Colour colour, std::int32_t intensity) {
 void shade_run(const IntensityPlane& plane, Colour colour, std::int32_t line, std::int32_t element,
                std::uint32_t count, std::uint32_t* pixels);
 
-/// The same seen through air of a transmission (1.0 = 32767): face and horizon with 7 fraction bits, rounded once more
-/// when they are added.
-inline std::uint32_t shade_through_air(Colour colour, std::int32_t intensity, std::int32_t transmission,
-                                       Colour horizon) {
+/// A colour before it is rounded to levels: components with 7 fraction bits, 0 to 255 * 128.
+struct Components {
+    std::uint32_t red = 0, green = 0, blue = 0;
+};
+
+inline Components lit(Colour colour, std::int32_t intensity) {
     const std::uint32_t i = static_cast<std::uint32_t>(intensity) >> 7U;
     const std::uint32_t scale = i > 32767U ? 32767U : i;
+    const auto times = [scale](std::uint32_t code) { return ((code << 7U) * scale + (1U << 14U)) >> 15U; };
+    return {times(colour.red), times(colour.green), times(colour.blue)};
+}
+
+/// Seen through air of a transmission (1.0 = 32767).
+inline Components through_air(const Components& face, std::int32_t transmission, Colour horizon) {
     const auto t = static_cast<std::uint32_t>(transmission);
-    const auto component = [&](std::uint32_t code, std::uint32_t horizon_code) {
+    const auto mix = [t](std::uint32_t component, std::uint32_t horizon_code) {
         constexpr std::uint32_t half = 1U << 14U;
-        const std::uint32_t face = ((code << 7U) * scale + half) >> 15U;
-        const std::uint32_t seen = (face * t + half) >> 15U;
-        const std::uint32_t air = ((horizon_code << 7U) * (32767U - t) + half) >> 15U;
-        return (seen + air + 64U) >> 7U;
+        return ((component * t + half) >> 15U) + (((horizon_code << 7U) * (32767U - t) + half) >> 15U);
     };
-    return component(colour.red, horizon.red) | component(colour.green, horizon.green) << 8U |
-           component(colour.blue, horizon.blue) << 16U | 0xff000000U;
+    return {mix(face.red, horizon.red), mix(face.green, horizon.green), mix(face.blue, horizon.blue)};
+}
+
+/// A pixel of a face seen through air, rounded to levels.
+inline std::uint32_t shade_through_air(Colour colour, std::int32_t intensity, std::int32_t transmission,
+                                       Colour horizon) {
+    const Components seen = through_air(lit(colour, intensity), transmission, horizon);
+    return (seen.red + 64U) >> 7U | (seen.green + 64U) >> 7U << 8U | (seen.blue + 64U) >> 7U << 16U |
+           0xff000000U;
 }
 
 /// Shades a run through air of one transmission.

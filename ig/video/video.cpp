@@ -96,26 +96,7 @@ void draw_segment(const VideoInput& input, const ProjectedFace& face, const Inte
     }
 }
 
-/// Components with 7 fraction bits, 0 to 255 * 128.
-struct Components {
-    std::uint32_t red = 0, green = 0, blue = 0;
-};
-constexpr std::uint32_t brightest = 255U << 7U;
-
-Components components(Colour colour, std::int32_t intensity) {
-    const std::uint32_t scale = std::min(static_cast<std::uint32_t>(intensity) >> 7U, 32767U);
-    const auto times = [scale](std::uint32_t code) { return ((code << 7U) * scale + (1U << 14U)) >> 15U; };
-    return {times(colour.red), times(colour.green), times(colour.blue)};
-}
-
-Components through_air(const Components& face, std::int32_t transmission, Colour horizon) {
-    const auto t = static_cast<std::uint32_t>(transmission);
-    const auto mix = [t](std::uint32_t component, std::uint32_t code) {
-        constexpr std::uint32_t half = 1U << 14U;
-        return ((component * t + half) >> 15U) + (((code << 7U) * (32767U - t) + half) >> 15U);
-    };
-    return {mix(face.red, horizon.red), mix(face.green, horizon.green), mix(face.blue, horizon.blue)};
-}
+constexpr std::uint32_t brightest = 255U << 7U; ///< of Components
 
 /// Adds up the shares of the band's shared pixels, front to back, and writes each pixel once.
 class ShareSummer {
@@ -130,16 +111,17 @@ public:
     void add_up() {
         for (const Share& share : band_.shares) {
             if (share.face == background_rank) {
-                add(share, components(input_.background, intensity_one), none, none);
+                add(share, lit(input_.background, intensity_one), none, none);
                 continue;
             }
             const ProjectedFace& face = input_.projected->faces[share.face];
             const std::int32_t intensity = intensity_of(share, face);
-            const Components lit = components(input_.colours[face.colour], intensity);
+            const Components shown = lit(input_.colours[face.colour], intensity);
             if (face.added_to != none) {
-                wait(share, through(share, face, lit, true), face.added_to);
+                wait(share, through(share, face, shown, true), face.added_to);
             } else {
-                add(share, through(share, face, lit, false), static_cast<std::int32_t>(face.list), intensity);
+                add(share, through(share, face, shown, false), static_cast<std::int32_t>(face.list),
+                    intensity);
             }
         }
     }
@@ -166,16 +148,16 @@ private:
     }
 
     /// Light that is added brings no horizon of its own: the face behind it does.
-    Components through(const Share& share, const ProjectedFace& face, const Components& lit,
+    Components through(const Share& share, const ProjectedFace& face, const Components& shown,
                        bool added) const {
         const Air& air = *input_.air;
-        if (air.clear() || face.depth < 0) return lit;
+        if (air.clear() || face.depth < 0) return shown;
         const DepthPlane& depth = input_.projected->depths[static_cast<std::size_t>(face.depth)];
         const SharedPixel& pixel = band_.pixels[share.pixel];
         std::int32_t transmission = 0;
         if (!air.is_flat(depth, transmission))
             transmission = transmission_of(depth, air, pixel.line, pixel.element);
-        return through_air(lit, transmission, added ? Colour{} : air.horizon());
+        return through_air(shown, transmission, added ? Colour{} : air.horizon());
     }
 
     void wait(const Share& share, const Components& light, std::int32_t added_to) {
