@@ -40,7 +40,7 @@ const std::string scenario = "'" LINKDIG_SOURCE_DIR "/database/scenes/first_flig
 TEST(CommandLine, HelpAndVersionAreNoMistakes) {
     const Outcome help = run("--help");
     EXPECT_EQ(help.exit_code, 0);
-    for (const char* name : {"demo", "compile", "inspect", "render"}) {
+    for (const char* name : {"demo", "compile", "inspect", "render", "why"}) {
         EXPECT_THAT(help.output, HasSubstr(name));
         const Outcome own = run(std::string(name) + " --help");
         EXPECT_EQ(own.exit_code, 0);
@@ -55,6 +55,21 @@ struct Mistake {
     const char* arguments;
     const char* told;
 };
+
+TEST(CommandLine, WhyTellsTheFaceAndItsAuthoringLine) {
+    const Outcome why = run("why " + scenario + " --frame 560 --at 320,300 --size 640x480");
+    EXPECT_EQ(why.exit_code, 0);
+    EXPECT_THAT(why.output, HasSubstr("seen      lph2.topsides, object \"hull sides\" (../lph2/hull.toml:"));
+    EXPECT_THAT(why.output, HasSubstr("behind it sea, object \"sea\" (../seas/confused_sea.toml:"));
+    const Outcome json = run("why " + scenario + " --frame 560 --at 320,300 --size 640x480 --json");
+    EXPECT_EQ(json.exit_code, 0);
+    EXPECT_THAT(json.output, HasSubstr("\"object\": \"hull sides\""));
+    for (const char* at : {"640,0", "0,480", "1", "1,2,3", "-1,2", "a,b"}) {
+        const Outcome outside = run("why " + scenario + " --size 640x480 --at=" + at);
+        EXPECT_EQ(outside.exit_code, 2) << at;
+        EXPECT_THAT(outside.errors, HasSubstr("expected COLUMN,ROW inside the 640 x 480 picture")) << at;
+    }
+}
 
 TEST(CommandLine, MistakesAreToldOnStderrWithCode2) {
     for (const Mistake& each : {
