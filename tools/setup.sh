@@ -22,7 +22,7 @@ demo_packages=(
 )
 test_packages=(
     libgtest-dev libgmock-dev clang clang-format clang-tidy python3
-    xvfb xdotool
+    xvfb xdotool ffmpeg
 )
 
 set_name=${1:-demo}
