@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace linkdig::database {
 
@@ -17,8 +18,9 @@ class ScratchFolder {
 public:
     ScratchFolder() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::temp_directory_path() /
-                (std::string("linkdig_") + test->test_suite_name() + "_" + test->name());
+        path_ =
+            std::filesystem::temp_directory_path() / (std::string("linkdig_") + test->test_suite_name() +
+                                                      "_" + test->name() + "_" + std::to_string(::getpid()));
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }

@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 namespace linkdig::host {
@@ -51,11 +54,16 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
+/// A file of this process alone (tests run side by side) that goes when the process ends.
+struct ScratchFile {
+    const std::string path = testing::TempDir() + "linkdig-scenario-" + std::to_string(::getpid()) + ".toml";
+    ~ScratchFile() { std::filesystem::remove(path); }
+};
+
 std::string written(const std::string& text) {
-    const std::string path =
-        testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml";
-    std::ofstream(path) << text;
-    return path;
+    static const ScratchFile file;
+    std::ofstream(file.path) << text;
+    return file.path;
 }
 
 ScenarioResult loaded(const std::string& text) { return load_scenario(written(text)); }
@@ -70,8 +78,7 @@ struct Mistake {
 class Mistakes : public testing::TestWithParam<Mistake> {};
 
 TEST_P(Mistakes, IsToldWhereItStands) {
-    const std::string path = testing::TempDir() + "scenario_mistake.toml";
-    std::ofstream(path) << replaced(sound, GetParam().from, GetParam().to);
+    const std::string path = written(replaced(sound, GetParam().from, GetParam().to));
     const ScenarioResult result = load_scenario(path);
     EXPECT_FALSE(result.scenario.has_value());
     EXPECT_THAT(result.diagnostics.all(), SizeIs(1)) << result.diagnostics.text();
