@@ -105,19 +105,22 @@ void check_slots(const std::vector<ModelObject>& objects, const Reading& reading
     for (const ModelObject& object : objects) {
         if (object.slot == none) continue;
         const auto slot = static_cast<std::size_t>(object.slot);
-        if (object.alternative < registry.alternatives[slot])
+        const std::uint32_t first = registry.first_objects[slot];
+        if (object.alternative >= first && object.alternative < registry.alternatives[slot])
             covered[slot].insert(object.alternative);
         else
             reading.error(
                 object.at,
-                fmt::format("object \"{}\" is alternative {} of slot \"{}\", which has {}; expected "
-                            "0 to {}",
+                fmt::format("object \"{}\" is alternative {} of slot \"{}\", which has {}{}; expected "
+                            "{} to {}",
                             object.name, object.alternative, registry.slots.names()[slot],
-                            registry.alternatives[slot], registry.alternatives[slot] - 1));
+                            registry.alternatives[slot], first == 0 ? "" : ", the first empty", first,
+                            registry.alternatives[slot] - 1));
     }
     for (std::size_t slot = 0; slot < covered.size(); ++slot) {
-        if (covered[slot].size() == registry.alternatives[slot]) continue;
-        std::uint32_t missing = 0;
+        const std::uint32_t first = registry.first_objects[slot];
+        if (covered[slot].size() + first == registry.alternatives[slot]) continue;
+        std::uint32_t missing = first;
         while (covered[slot].count(missing) != 0)
             ++missing;
         reading.error(

@@ -12,7 +12,7 @@ inline constexpr double largest_coordinate_m = 1e7;
 /// Faces: bounded, planar, convex, with an area. Sets the plane of each face that stays.
 void check_faces(std::vector<ModelObject>& objects, const Reading& reading);
 
-/// Slots: the objects cover exactly the alternatives that the slot declares.
+/// Slots: the objects cover exactly the alternatives that the slot declares, without an empty first one.
 void check_slots(const std::vector<ModelObject>& objects, const Reading& reading);
 
 /// Gives every vertex that has no normal the average of its faces' normals in the object (report, Appendix I:

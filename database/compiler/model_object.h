@@ -33,6 +33,7 @@ struct ModelFace {
     std::vector<std::uint32_t> corners; ///< into ModelObject::vertices; the fan starts at the first
     FaceStyle style;
     Place at;
+    std::optional<Vec3d> light_normal; ///< unit: what lights it instead of its plane's (churned water)
     // Set by check_faces:
     Plane plane;
     double deviation_m = 0;   ///< of the corners from the plane
@@ -60,16 +61,24 @@ struct Reading {
     }
 };
 
-/// Objects in the order of their files: [[object]]s, then [[sequence]]s.
+/// Objects in the order of their files: [[object]]s, then [[sequence]]s, then [[churn]]s.
 std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Reading& reading);
 /// One object per alternative of the slot, its shape between the key shapes before and after (report, 3.2.2).
 void read_sequence(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
+/// Churned water: a strip of smooth squares on z = 0 with random normals that shrink towards its rims (report,
+/// 3.2.3).
+void read_churn(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
 
 /// colour, shading, two_sided, layer and opacity of a table, falling back on `inherited`.
 FaceStyle read_style(TableReader& reader, const Reading& reading, const FaceStyle& inherited);
 /// list and slot; `slot_required`: of a sequence. Sets `resolved`.
 void read_membership(TableReader& reader, const Reading& reading, bool slot_required, ModelObject& object);
+/// slot and alternative of an object.
+void read_alternative(TableReader& reader, ModelObject& object);
 /// mirror = "y".
 bool read_mirror(TableReader& reader);
+/// Mirrors vertices and faces in the plane y = 0. Vertices on it are shared, so that normals average across
+/// it.
+void add_mirror_image(ModelObject& object);
 
 } // namespace linkdig::database

@@ -43,10 +43,15 @@ void read_membership(TableReader& reader, const Reading& reading, bool slot_requ
     if (slot_required) object.resolved = object.resolved && slot;
 }
 
-namespace {
+void read_alternative(TableReader& reader, ModelObject& object) {
+    if (reader.has("slot")) {
+        object.alternative =
+            static_cast<std::uint32_t>(reader.integer("alternative", 0, most_alternatives - 1));
+    } else if (reader.node("alternative") != nullptr) {
+        reader.error_at("alternative", "\"alternative\" stands without \"slot\"; expected both or neither");
+    }
+}
 
-/// Mirrors vertices and faces in the plane y = 0. Vertices on it are shared, so that normals average across
-/// it.
 void add_mirror_image(ModelObject& object) {
     std::vector<std::uint32_t> image(object.vertices.size());
     const std::size_t vertices = object.vertices.size();
@@ -65,9 +70,12 @@ void add_mirror_image(ModelObject& object) {
         for (std::uint32_t& corner : face.corners)
             corner = image[corner];
         std::reverse(face.corners.begin() + 1, face.corners.end()); // the fan starts at the same corner
+        if (face.light_normal) face.light_normal->y = -face.light_normal->y;
         object.faces.push_back(std::move(face));
     }
 }
+
+namespace {
 
 class ObjectReader {
 public:
@@ -79,7 +87,7 @@ public:
         object_.name = reader_.text("name");
         object_.at = place_of(*table_.table, table_.file);
         read_membership(reader_, reading_, false, object_);
-        read_alternative();
+        read_alternative(reader_, object_);
         style_ = read_style(reader_, reading_, {});
         const bool mirrored = read_mirror(reader_);
         read_points("vertices_m", 1.0, false);
@@ -99,16 +107,6 @@ public:
 private:
     /// Faces with mistakes are dropped: then their absence is no second mistake.
     bool reading_clean() const { return reading_.diagnostics->all().size() == errors_before_; }
-
-    void read_alternative() {
-        if (reader_.has("slot")) {
-            object_.alternative =
-                static_cast<std::uint32_t>(reader_.integer("alternative", 0, most_alternatives - 1));
-        } else if (reader_.node("alternative") != nullptr) {
-            reader_.error_at("alternative",
-                             "\"alternative\" stands without \"slot\"; expected both or neither");
-        }
-    }
 
     void read_points(const char* key, double unit, bool directions) {
         const toml::table* table = reader_.table(key);
@@ -263,6 +261,8 @@ std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Readin
         objects.push_back(ObjectReader(each, reading).read());
     for (const AuthoredTable each : tables.sequences)
         read_sequence(each, reading, objects);
+    for (const AuthoredTable each : tables.churns)
+        read_churn(each, reading, objects);
     NameTable names("object");
     for (const ModelObject& object : objects)
         names.add(object.name, object.at, *reading.sources, *reading.diagnostics);

@@ -139,8 +139,10 @@ private:
     void read_slot(AuthoredTable table) {
         TableReader each = reader(table, "slot");
         add_name(each, table, registry.slots);
+        const bool first_empty = each.boolean("first_empty", false);
         registry.alternatives.push_back(
-            static_cast<std::uint32_t>(each.integer("alternatives", 1, most_alternatives)));
+            static_cast<std::uint32_t>(each.integer("alternatives", first_empty ? 2 : 1, most_alternatives)));
+        registry.first_objects.push_back(first_empty ? 1 : 0);
         registry.slot_places.push_back(place_of(*table.table, table.file));
         each.finish();
     }

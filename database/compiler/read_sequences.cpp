@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace linkdig::database {
@@ -65,6 +66,30 @@ std::vector<Key> read_keys(TableReader& sequence, const Reading& reading, std::i
     return complete ? keys : std::vector<Key>();
 }
 
+/// The faces that the shape has, as numbers of corners from 0; one of all its corners if the author names none.
+std::vector<std::vector<std::uint32_t>> read_faces(TableReader& sequence, std::size_t corners) {
+    std::vector<std::vector<std::uint32_t>> faces;
+    if (!sequence.has("faces")) {
+        faces.emplace_back();
+        for (std::uint32_t i = 0; i < corners; ++i)
+            faces.back().push_back(i);
+        return faces;
+    }
+    const toml::array* array = sequence.node("faces")->as_array();
+    for (std::size_t f = 0; array != nullptr && f < array->size(); ++f) {
+        faces.emplace_back();
+        const toml::array* numbers = array->get(f)->as_array();
+        for (std::size_t i = 0; numbers != nullptr && i < numbers->size(); ++i) {
+            const std::int64_t number = numbers->get(i)->value_exact<std::int64_t>().value_or(0);
+            if (number < 1 || number > static_cast<std::int64_t>(corners)) return {};
+            faces.back().push_back(static_cast<std::uint32_t>(number - 1));
+        }
+        const std::set<std::uint32_t> distinct(faces.back().begin(), faces.back().end());
+        if (distinct.size() < 3 || distinct.size() != faces.back().size()) return {};
+    }
+    return faces;
+}
+
 std::vector<Vec3d> shape_between(const std::vector<Key>& keys, std::int64_t frame) {
     const auto after =
         std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.frame >= frame; });
@@ -76,6 +101,22 @@ std::vector<Vec3d> shape_between(const std::vector<Key>& keys, std::int64_t fram
     for (std::size_t i = 0; i < before.corners.size(); ++i)
         corners.push_back(before.corners[i] + part * (after->corners[i] - before.corners[i]));
     return corners;
+}
+
+void add_shape(const std::vector<Vec3d>& corners, const std::vector<std::vector<std::uint32_t>>& faces,
+               const FaceStyle& style, bool mirrored, ModelObject& object) {
+    for (Vec3d corner : corners) {
+        if (mirrored) corner.y = -corner.y;
+        object.vertices.push_back({as_float(corner), {}, {}, object.at});
+    }
+    for (const std::vector<std::uint32_t>& numbers : faces) {
+        ModelFace face;
+        face.style = style;
+        face.at = object.at;
+        face.corners = numbers;
+        if (mirrored) std::reverse(face.corners.begin() + 1, face.corners.end());
+        object.faces.push_back(std::move(face));
+    }
 }
 
 } // namespace
@@ -92,29 +133,31 @@ void read_sequence(AuthoredTable table, const Reading& reading, std::vector<Mode
     if (!style.colour)
         reading.error(base.at, fmt::format("{} has no colour; expected `colour`", reader.what()));
     const bool mirrored = read_mirror(reader);
-    const std::int64_t frames = base.slot == none
-                                    ? most_alternatives
-                                    : reading.registry->alternatives[static_cast<std::size_t>(base.slot)];
+    const auto slot = static_cast<std::size_t>(base.slot);
+    // In a slot whose first alternative is nothing, frame and alternative have one number.
+    const std::uint32_t first = base.slot == none ? 0 : reading.registry->first_objects[slot];
+    const std::int64_t frames =
+        base.slot == none ? most_alternatives : std::int64_t{reading.registry->alternatives[slot]} - first;
     const std::vector<Key> keys = base.slot == none ? std::vector<Key>() : read_keys(reader, reading, frames);
     reader.tables("key");
-    reader.finish();
-    if (keys.empty()) return;
-    for (std::int64_t frame = 1; frame <= frames; ++frame) {
-        ModelObject object = base;
-        object.name = fmt::format("{}.{}", name, frame);
-        object.alternative = static_cast<std::uint32_t>(frame - 1);
-        ModelFace face;
-        face.style = style;
-        face.at = base.at;
-        for (Vec3d corner : shape_between(keys, frame)) {
-            if (mirrored) corner.y = -corner.y;
-            face.corners.push_back(static_cast<std::uint32_t>(object.vertices.size()));
-            object.vertices.push_back({as_float(corner), {}, {}, base.at});
+    reader.node("faces");
+    if (!keys.empty()) {
+        const std::size_t corners = keys.front().corners.size();
+        const std::vector<std::vector<std::uint32_t>> faces = read_faces(reader, corners);
+        if (faces.empty())
+            reader.error_at("faces",
+                            fmt::format("\"faces\" of {} holds something else; expected arrays of three "
+                                        "or more distinct corner numbers, 1 to {}",
+                                        reader.what(), corners));
+        for (std::int64_t frame = 1; !faces.empty() && frame <= frames; ++frame) {
+            ModelObject object = base;
+            object.name = fmt::format("{}.{}", name, frame);
+            object.alternative = static_cast<std::uint32_t>(frame - 1) + first;
+            add_shape(shape_between(keys, frame), faces, style, mirrored, object);
+            objects.push_back(std::move(object));
         }
-        if (mirrored) std::reverse(face.corners.begin() + 1, face.corners.end());
-        object.faces.push_back(std::move(face));
-        objects.push_back(std::move(object));
     }
+    reader.finish();
 }
 
 } // namespace linkdig::database

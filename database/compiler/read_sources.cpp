@@ -116,6 +116,7 @@ void gather_file(const Sources& sources, std::uint16_t file, AuthoredTables& tab
     gather("object_list", tables.lists);
     gather("object", tables.objects);
     gather("sequence", tables.sequences);
+    gather("churn", tables.churns);
     gather("tile", tables.tiles);
     reader.finish();
 }

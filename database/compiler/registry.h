@@ -54,7 +54,8 @@ struct Registry {
     NameTable colour_names{"colour"}, suns{"sun"}, moving_objects{"moving object"}, slots{"slot"},
         cluster_names{"cluster"}, list_names{"object list"};
     std::vector<Colour> colours;
-    std::vector<std::uint32_t> alternatives; ///< parallel to slots
+    std::vector<std::uint32_t> alternatives;  ///< parallel to slots
+    std::vector<std::uint32_t> first_objects; ///< parallel to slots: 1 where alternative 0 is nothing, else 0
     std::vector<Place> slot_places;
     std::vector<AuthoredCluster> clusters;
     std::vector<AuthoredList> lists;

@@ -111,7 +111,7 @@ public:
     void add_up() {
         for (const Share& share : band_.shares) {
             if (share.face == background_rank) {
-                add(share, lit(input_.background, intensity_one), none, none);
+                add(share, lit(input_.background, intensity_one), none, none, true);
                 continue;
             }
             const ProjectedFace& face = input_.projected->faces[share.face];
@@ -121,7 +121,7 @@ public:
                 wait(share, through(share, face, shown, true), face.added_to);
             } else {
                 add(share, through(share, face, shown, false), static_cast<std::int32_t>(face.list),
-                    intensity);
+                    intensity, face.opacity >= opaque);
             }
         }
     }
@@ -169,15 +169,17 @@ private:
         sum.pending = static_cast<std::int32_t>(pending_.size() - 1);
     }
 
-    /// Adds a share, brightened by the additive faces in front of it that name its list; clamps once.
-    void add(const Share& share, Components seen, std::int32_t list, std::int32_t intensity) {
+    /// Adds a share, brightened by the additive faces in front of it that name its list; clamps once. Added
+    /// light falls on all opaque faces that divide the pixel among them (or a mesh would show its seams through
+    /// it), and ends at a semi-opaque one, which lies before the whole pixel.
+    void add(const Share& share, Components seen, std::int32_t list, std::int32_t intensity, bool is_opaque) {
         PixelSum& sum = sums_[share.pixel];
         for (std::int32_t k = sum.pending; k >= 0; k = pending_[static_cast<std::size_t>(k)].before) {
             const PendingLight& light = pending_[static_cast<std::size_t>(k)];
             if (light.added_to != list || list == none) continue;
             seen = {seen.red + light.red, seen.green + light.green, seen.blue + light.blue};
         }
-        sum.pending = -1;
+        if (!is_opaque) sum.pending = -1;
         sum.red += std::min(seen.red, brightest) * share.weight;
         sum.green += std::min(seen.green, brightest) * share.weight;
         sum.blue += std::min(seen.blue, brightest) * share.weight;

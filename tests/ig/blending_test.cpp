@@ -100,29 +100,34 @@ TEST(Blending, AddedLightIsClampedOnce) {
 
 TEST(Blending, TheSeaAndAWakeOverItAddUpLevelByLevel) {
     // The report's hardware modification: the wake's intensities are added to the sea's (3.2.3).
-    VisualDatabase database = sea_database();
-    Configuration configuration;
-    configuration.raster = {64, 64, Scan::horizontal};
-    FramePacket packet;
-    packet.channels = {channel_at({0, 0, 20}, 0, -60)};
-    packet.suns = {Vec3f(direction(0.4, radians(30.0)))};
-    Machine sea(database, configuration);
-    sea.draw_planes(true, false);
-    sea.frame(packet);
-    const VideoFrame alone = sea.picture(0);
+    // With smoothed edges too: the seams of the sea's squares are brightened like their insides.
+    for (const bool smoothing : {false, true}) {
+        VisualDatabase database = sea_database();
+        Configuration configuration;
+        configuration.raster = {64, 64, Scan::horizontal};
+        configuration.edge_smoothing = smoothing;
+        FramePacket packet;
+        packet.channels = {channel_at({0, 0, 20}, 0, -60)};
+        packet.suns = {Vec3f(direction(0.4, radians(30.0)))};
+        Machine sea(database, configuration);
+        sea.draw_planes(true, false);
+        sea.frame(packet);
+        const VideoFrame alone = sea.picture(0);
 
-    database.groups.insert(database.groups.begin(), {.number = 1, .root = none});
-    database.clusters[0].group = 1;
-    database.colours[1] = {30, 30, 30, 0};
-    add_box(database, {.from = {-200, -200, 0.01F}, .to = {200, 200, 0.02F}, .colour = 1, .group = 0});
-    database.lists[1].added_to = 0;
-    Machine both(database, configuration);
-    both.frame(packet);
-    for (std::size_t k = 0; k < alone.pixels.size(); ++k) {
-        for (int shift = 0; shift < 24; shift += 8) {
-            const int sum = static_cast<int>(alone.pixels[k] >> shift & 0xffU) + 30;
-            ASSERT_NEAR(static_cast<int>(both.picture(0).pixels[k] >> shift & 0xffU), std::min(sum, 255), 1)
-                << k;
+        database.groups.insert(database.groups.begin(), {.number = 1, .root = none});
+        database.clusters[0].group = 1;
+        database.colours[1] = {30, 30, 30, 0};
+        add_box(database, {.from = {-200, -200, 0.01F}, .to = {200, 200, 0.02F}, .colour = 1, .group = 0});
+        database.lists[1].added_to = 0;
+        Machine both(database, configuration);
+        both.frame(packet);
+        for (std::size_t k = 0; k < alone.pixels.size(); ++k) {
+            for (int shift = 0; shift < 24; shift += 8) {
+                const int sum = static_cast<int>(alone.pixels[k] >> shift & 0xffU) + 30;
+                ASSERT_NEAR(static_cast<int>(both.picture(0).pixels[k] >> shift & 0xffU), std::min(sum, 255),
+                            1)
+                    << k;
+            }
         }
     }
 }

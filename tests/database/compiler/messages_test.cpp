@@ -202,6 +202,60 @@ TEST(Messages, Slots) {
     EXPECT_TRUE(compile_text(scene(slot + object(0, 0) + object(1, 1) + object(2, 2))).database);
 }
 
+TEST(Messages, SlotsWhoseFirstAlternativeIsNothing) {
+    const std::string slot = "[[slot]]\nname = \"s\"\nalternatives = 3\nfirst_empty = true\n";
+    const auto object = [](int alternative) {
+        return "[[object]]\nname = \"o" + std::to_string(alternative) +
+               "\"\nlist = \"list\"\ncolour = \"grey\"\nslot = \"s\"\nalternative = " +
+               std::to_string(alternative) +
+               "\n[[object.rectangle]]\ncentre_m = [0, 0, 0]\nsize_m = [1, 1]\n";
+    };
+    EXPECT_TRUE(compile_text(scene(slot + object(1) + object(2))).database);
+    EXPECT_THAT(
+        said(slot + object(0) + object(1) + object(2)),
+        HasSubstr("object \"o0\" is alternative 0 of slot \"s\", which has 3, the first empty; expected 1 "
+                  "to 2"));
+    EXPECT_THAT(said(slot + object(2)), HasSubstr("expected also alternative 1"));
+    EXPECT_THAT(said("[[slot]]\nname = \"s\"\nalternatives = 1\nfirst_empty = true\n"),
+                HasSubstr("\"alternatives\" is 1; expected 2 to 4096"));
+}
+
+TEST(Messages, Churn) {
+    const auto churn = [](const std::string& more) {
+        return "[[churn]]\nname = \"c\"\nlist = \"list\"\ncolour = \"grey\"\nvertical_angle_deg = 45\nseed = "
+               "1\n" +
+               more;
+    };
+    const std::string rims = "left_m = [[0, 1], [9, 1]]\nright_m = [[0, -1], [9, -1]]\n";
+    EXPECT_TRUE(compile_text(scene(churn(rims + "square_m = 1\n"))).database);
+    EXPECT_THAT(said(churn(rims)), HasSubstr("\"square_m\""));
+    EXPECT_THAT(said(churn("left_m = [[0, 1]]\nright_m = [[0, -1], [9, -1]]\nsquare_m = 1\n")),
+                HasSubstr("root.toml:21: the rim \"left_m\" has no length; expected two or more points"));
+    EXPECT_THAT(
+        said(churn("left_m = [[0, 1000], [9000, 1000]]\nright_m = [[0, 0], [9000, 0]]\nsquare_m = 0.1\n")),
+        HasSubstr("makes more than 1000000 squares; expected larger ones"));
+    EXPECT_THAT(said(churn(rims + "square_m = 1\nfade_sides = -1\n")), HasSubstr("fade_sides"));
+    EXPECT_THAT(said(churn("left_m = [[0, -1], [9, -1]]\nright_m = [[0, 1], [9, 1]]\nsquare_m = 1\n")),
+                HasSubstr("the strip runs the wrong way round; expected left_m to the left on the way"));
+}
+
+TEST(Messages, FacesOfASequence) {
+    const auto solid = [](const std::string& faces) {
+        return "[[slot]]\nname = \"s\"\nalternatives = 3\nfirst_empty = true\n[[sequence]]\nname = "
+               "\"w\"\nlist = "
+               "\"list\"\nslot = \"s\"\ncolour = \"grey\"\nfaces = " +
+               faces +
+               "\n[[sequence.key]]\nframe = 1\ncorners_m = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+               "[[sequence.key]]\nframe = 2\ncorners_m = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]]\n";
+    };
+    EXPECT_TRUE(compile_text(scene(solid("[[1, 3, 2], [1, 2, 4]]"))).database);
+    for (const char* faces : {"[]", "[[1, 2]]", "[[1, 2, 5]]", "[[0, 1, 2]]", "[[1, 2, 1]]", "3", "[3]"})
+        EXPECT_THAT(said(solid(faces)),
+                    HasSubstr("\"faces\" of [[sequence]] \"w\" holds something else; expected "
+                              "arrays of three or more distinct corner numbers, 1 to 4"))
+            << faces;
+}
+
 TEST(Messages, ListsAndFrames) {
     EXPECT_THAT(said("[[object_list]]\nname = \"m\"\ncluster = \"cluster\"\npriority = 5\nsun = "
                      "\"sun\"\nframe = \"body\"\n"),

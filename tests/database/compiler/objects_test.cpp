@@ -237,5 +237,69 @@ TEST(Compile, GivesTheSameBytesWhereverTheFilesStand) {
     EXPECT_EQ(encode_database(*one.database), encode_database(*two.database));
 }
 
+TEST(Sequences, OfSolidsInASlotWhoseFirstAlternativeIsNothing) {
+    const VisualDatabase d = compiled(
+        "[[slot]]\nname = \"wake\"\nalternatives = 4\nfirst_empty = true\n[[sequence]]\nname = \"w\"\nlist = "
+        "\"list\"\nslot = \"wake\"\ncolour = \"grey\"\ntwo_sided = false\nfaces = [[1, 2, 3, 4], [1, 5, 2]]\n"
+        "[[sequence.key]]\nframe = 1\ncorners_m = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, -1]]\n"
+        "[[sequence.key]]\nframe = 3\ncorners_m = [[0, 0, 0], [3, 0, 0], [3, 1, 0], [0, 1, 0], [0, 0, "
+        "-3]]\n");
+    EXPECT_EQ(d.slots[0].alternatives, 4U);
+    ASSERT_EQ(d.faces.size(), 6U);
+    std::vector<std::uint32_t> faces_of(4, 0);
+    for (const FaceRun& run : d.runs)
+        faces_of[run.alternative] += run.face_count;
+    EXPECT_EQ(faces_of, (std::vector<std::uint32_t>{0, 2, 2, 2}));
+    for (const Object& object : d.objects)
+        EXPECT_EQ(object.name, fmt::format("w.{}", object.alternative))
+            << "frame and alternative have one number";
+}
+
+const std::string churn = "[[churn]]\nname = \"c\"\nlist = \"list\"\ncolour = \"grey\"\nsquare_m = 1\n"
+                          "left_m = [[0, 3], [6, 4], [12, 4]]\nright_m = [[0, -1], [12, -2]]\n"
+                          "vertical_angle_deg = 40\nseed = 5\nfade_start = 2\nfade_end = 4\nfade_sides = 2\n";
+
+TEST(Churn, SquaresCoverTheStripAndFadeToNothingAtItsRims) {
+    const VisualDatabase d = compiled(churn);
+    ASSERT_EQ(d.faces.size(), 12U * 5U);
+    double area = 0;
+    for (const Face& face : d.faces) {
+        const auto at = [&](std::uint32_t i) { return Vec3d(vertex(d, face, i % 4).position); };
+        EXPECT_EQ(face.shading, Shading::vertex);
+        EXPECT_NEAR(glm::length(Vec3d(face.normal)), 1, 1e-6) << "flat shading shows the squares (Figure 14)";
+        for (std::uint32_t i = 0; i < 4; ++i)
+            area += 0.5 * (at(i).x * at(i + 1).y - at(i + 1).x * at(i).y);
+    }
+    EXPECT_NEAR(area, 3.5 * 6 + 4 * 6 + 1.5 * 12, 0.2)
+        << "counter-clockwise from above, corners of the rim apart";
+    double longest = 0;
+    for (const Vertex& each : d.vertices) {
+        const bool on_rim = each.position.x == 0 || each.position.x == 12;
+        const double length = glm::length(Vec3d(each.normal));
+        if (on_rim) {
+            EXPECT_EQ(length, 0);
+        }
+        if (length > 0) {
+            EXPECT_NEAR(each.normal.z / length, 0.642788, 1e-5) << "one vertical angle";
+        }
+        longest = std::max(longest, length);
+    }
+    EXPECT_NEAR(longest, 1, 1e-6);
+    EXPECT_EQ(compiled(churn), d);
+}
+
+TEST(Churn, AMirroredStripIsOneObject) {
+    const VisualDatabase d =
+        compiled("[[churn]]\nname = \"c\"\nlist = \"list\"\ncolour = \"grey\"\nsquare_m = 1\nleft_m = [[0, "
+                 "3], [4, 3]]\n"
+                 "right_m = [[0, 1], [4, 1]]\nvertical_angle_deg = 40\nseed = 5\nmirror = \"y\"\n");
+    EXPECT_EQ(d.objects.size(), 1U);
+    ASSERT_EQ(d.faces.size(), 16U);
+    double sum = 0;
+    for (const Vertex& each : d.vertices)
+        sum += each.position.y + each.normal.y;
+    EXPECT_NEAR(sum, 0, 1e-5);
+}
+
 } // namespace
 } // namespace linkdig::database
