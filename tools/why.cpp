@@ -76,6 +76,15 @@ Json layer_json(const VisualDatabase& database, const ig::Layer& layer) {
             Json::array({unit(layer.corner_intensity[0]), unit(layer.corner_intensity[1]),
                          unit(layer.corner_intensity[2])});
     }
+    if (layer.coloured)
+        json["tint"] = Json::array({unit(layer.tint[0]), unit(layer.tint[1]), unit(layer.tint[2])});
+    if (layer.level != none) {
+        const DetailLevel& level = database.detail_levels[static_cast<std::size_t>(layer.level)];
+        const Detail& detail = database.details[level.detail];
+        json["detail"] = detail.name;
+        json["level"] = static_cast<std::uint32_t>(layer.level) - detail.first_level;
+        json["level_opacity"] = layer.level_opacity / 256.0;
+    }
     json["planes"] = Json::array();
     for (const ig::PlaneTaken& plane : layer.planes)
         json["planes"].push_back(plane_json(plane));
@@ -107,6 +116,11 @@ void print_priority(const VisualDatabase& database, const ig::Layer& layer) {
 
 void print_intensity(const VisualDatabase& database, const ig::Layer& layer) {
     const Colour code = database.colours[layer.colour];
+    if (layer.coloured) {
+        fmt::print("colour    ({:.1f} {:.1f} {:.1f}), between those of its corners, each x intensity\n",
+                   255 * unit(layer.tint[0]), 255 * unit(layer.tint[1]), 255 * unit(layer.tint[2]));
+        return;
+    }
     if (layer.smooth) {
         fmt::print("intensity {:.4f}, between corners of {:.4f}, {:.4f} and {:.4f}\n", unit(layer.intensity),
                    unit(layer.corner_intensity[0]), unit(layer.corner_intensity[1]),
@@ -126,6 +140,15 @@ void print_intensity(const VisualDatabase& database, const ig::Layer& layer) {
                code.green, code.blue);
 }
 
+void print_level(const VisualDatabase& database, const ig::Layer& layer) {
+    if (layer.level == none) return;
+    const DetailLevel& level = database.detail_levels[static_cast<std::size_t>(layer.level)];
+    const Detail& detail = database.details[level.detail];
+    fmt::print("detail    level {} of {}, to {:.6g} m, seen by {:.0f} %\n",
+               static_cast<std::uint32_t>(layer.level) - detail.first_level, detail.name, level.to_m,
+               layer.level_opacity / 2.56);
+}
+
 void print_text(const VisualDatabase& database, std::uint32_t pixel, const std::vector<ig::Layer>& layers) {
     fmt::print("pixel     ({} {} {})\n", pixel & 0xffU, pixel >> 8U & 0xffU, pixel >> 16U & 0xffU);
     if (layers.empty()) {
@@ -134,6 +157,7 @@ void print_text(const VisualDatabase& database, std::uint32_t pixel, const std::
     }
     fmt::print("seen      {}\n", place(database, layers.front()));
     print_priority(database, layers.front());
+    print_level(database, layers.front());
     print_intensity(database, layers.front());
     for (std::size_t k = 1; k < layers.size(); ++k) {
         fmt::print("{} {}\n", k == 1 ? "behind it" : "         ", place(database, layers[k]));

@@ -1,5 +1,7 @@
 #include "database/compiler/assemble.h"
 
+#include "database/model/most_at_once.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,6 +48,17 @@ void bound_run(const std::vector<OrderFace>& leaf, std::size_t first, std::size_
                  : std::nextafter(static_cast<float>(radius * (1 + 1e-7)), std::numeric_limits<float>::max());
 }
 
+bool present_together(const OrderFace& a, const OrderFace& b) {
+    return a.slot == b.slot && a.alternative == b.alternative && a.detail == b.detail && a.level == b.level;
+}
+
+/// Into VisualDatabase::detail_levels.
+std::int32_t level_number(const Registry& registry, std::int32_t detail, std::uint32_t level) {
+    if (detail == none) return none;
+    const Detail& of = registry.authored_details[static_cast<std::size_t>(detail)].detail;
+    return static_cast<std::int32_t>(of.first_level + level);
+}
+
 class ListAssembler {
 public:
     ListAssembler(const Assembly& parts, VisualDatabase& database) : parts_(parts), database_(database) {}
@@ -70,7 +83,7 @@ public:
         statistics_.splits = ordered.order.splits;
         statistics_.vertices = static_cast<std::uint32_t>(database_.vertices.size() - first_vertex_);
         statistics_.edges = static_cast<std::uint32_t>(edges_.size());
-        count_at_once();
+        statistics_.faces_at_once = static_cast<std::uint32_t>(present_.most(database_));
         return statistics_;
     }
 
@@ -80,19 +93,19 @@ private:
         RunLeaf made{static_cast<std::uint32_t>(database_.runs.size()), 0};
         for (std::size_t first = 0; first < leaf.size();) {
             std::size_t end = first;
-            while (end < leaf.size() && leaf[end].slot == leaf[first].slot &&
-                   leaf[end].alternative == leaf[first].alternative)
+            while (end < leaf.size() && present_together(leaf[end], leaf[first]))
                 ++end;
             FaceRun run;
             run.first_face = static_cast<std::uint32_t>(database_.faces.size());
             run.face_count = static_cast<std::uint32_t>(end - first);
             run.slot = leaf[first].slot;
             run.alternative = leaf[first].alternative;
+            run.level = level_number(parts_.registry, leaf[first].detail, leaf[first].level);
             bound_run(leaf, first, end, run);
             for (std::size_t i = first; i < end; ++i)
                 add_face(leaf[i], ordered.sources[leaf[i].source], object_numbers);
             database_.runs.push_back(run);
-            present_[{run.slot, run.alternative}] += run.face_count;
+            present_.add(run.slot, run.alternative, run.level, run.face_count);
             ++made.run_count;
             ++statistics_.runs;
             first = end;
@@ -112,15 +125,23 @@ private:
         face.shading = model.style.shading;
         face.two_sided = model.style.two_sided ? 1 : 0;
         face.opacity = model.style.opacity;
+        face.coloured = ordered.coloured ? 1 : 0;
         face.file = model.at.file;
         face.line = model.at.line;
         database_.faces.push_back(face);
         ++statistics_.faces;
         for (const OrderCorner& corner : ordered.corners)
-            database_.corners.push_back(vertex(corner));
+            put_corner(corner);
         for (std::size_t i = 0; i < ordered.corners.size(); ++i)
             edges_.insert(std::minmax(ordered.corners[i].point,
                                       ordered.corners[(i + 1) % ordered.corners.size()].point));
+    }
+
+    void put_corner(const OrderCorner& corner) {
+        database_.corners.push_back(vertex(corner));
+        const auto code = [](double level) { return static_cast<std::uint8_t>(std::floor(level + 0.5)); };
+        database_.corner_colours.push_back(
+            {code(corner.colour.x), code(corner.colour.y), code(corner.colour.z), 0});
     }
 
     std::uint32_t vertex(const OrderCorner& corner) {
@@ -132,22 +153,13 @@ private:
         return found->second;
     }
 
-    void count_at_once() {
-        std::map<std::int32_t, std::uint32_t> most;
-        for (const auto& [key, faces] : present_)
-            most[key.first] = std::max(most[key.first], faces);
-        for (const auto& [slot, faces] : most)
-            statistics_.faces_at_once += faces;
-    }
-
     const Assembly& parts_;
     VisualDatabase& database_;
     ListStatistics statistics_;
     std::size_t first_vertex_ = 0;
     std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> vertices_;
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
-    std::map<std::pair<std::int32_t, std::uint32_t>, std::uint32_t>
-        present_; ///< faces by slot and alternative
+    MostAtOnce present_; ///< of its faces
 };
 
 void add_names(const Assembly& parts, VisualDatabase& database) {
@@ -163,6 +175,11 @@ void add_names(const Assembly& parts, VisualDatabase& database) {
         database.slots.push_back({registry.slots.names()[i], registry.alternatives[i]});
     for (const AuthoredList& list : registry.lists)
         database.lists.push_back(list.list);
+    for (std::uint32_t i = 0; i < registry.authored_details.size(); ++i) {
+        database.details.push_back(registry.authored_details[i].detail);
+        for (const float to_m : registry.authored_details[i].to_m)
+            database.detail_levels.push_back({i, to_m});
+    }
 }
 
 /// Objects list by list; the number of each in the database.
@@ -176,8 +193,9 @@ std::vector<std::uint32_t> add_objects(const Assembly& parts, VisualDatabase& da
             const ModelObject& object = parts.objects[i];
             if (object.list != list) continue;
             numbers[i] = static_cast<std::uint32_t>(database.objects.size());
-            database.objects.push_back(
-                {object.name, list, object.slot, static_cast<std::uint16_t>(object.alternative), 0});
+            database.objects.push_back({object.name, list, object.slot,
+                                        static_cast<std::uint16_t>(object.alternative), 0,
+                                        level_number(parts.registry, object.detail, object.level)});
         }
     }
     return numbers;
@@ -225,6 +243,8 @@ VisualDatabase assemble(const Assembly& parts, CompileStatistics& statistics) {
     const std::vector<std::uint32_t> object_numbers = add_objects(parts, database);
     for (std::uint32_t list = 0; list < parts.lists.size(); ++list)
         statistics.lists.push_back(ListAssembler(parts, database).add(list, object_numbers));
+    const auto coloured = [](const Face& face) { return face.coloured != 0; };
+    if (std::none_of(database.faces.begin(), database.faces.end(), coloured)) database.corner_colours.clear();
     for (const Object& object : database.objects)
         ++statistics.lists[object.list].objects;
     add_clusters(parts, database);

@@ -132,6 +132,30 @@ void check_slots(const std::vector<ModelObject>& objects, const Reading& reading
     }
 }
 
+void check_levels(const std::vector<ModelObject>& objects, const Reading& reading) {
+    const Registry& registry = *reading.registry;
+    std::vector<std::set<std::uint32_t>> covered(registry.authored_details.size());
+    for (const ModelObject& object : objects) {
+        if (object.detail == none) continue;
+        const auto detail = static_cast<std::size_t>(object.detail);
+        const std::size_t levels = registry.authored_details[detail].to_m.size();
+        covered[detail].insert(object.level);
+        if (object.level >= levels && levels > 0) // without any, its ranges were reported
+            reading.error(
+                object.at,
+                fmt::format("object \"{}\" is level {} of detail \"{}\", which has {}; expected 0 to {}",
+                            object.name, object.level, registry.details.names()[detail], levels, levels - 1));
+    }
+    for (std::size_t detail = 0; detail < covered.size(); ++detail) {
+        const AuthoredDetail& authored = registry.authored_details[detail];
+        for (std::uint32_t level = 0; level < authored.to_m.size(); ++level)
+            if (!covered[detail].contains(level))
+                reading.error(authored.at,
+                              fmt::format("no object is level {} of detail \"{}\"; expected at least one",
+                                          level, registry.details.names()[detail]));
+    }
+}
+
 void average_normals(ModelObject& object) {
     std::vector<Vec3d> sums(object.vertices.size(), Vec3d(0.0));
     std::vector<const ModelFace*> first(object.vertices.size(), nullptr);

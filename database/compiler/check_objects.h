@@ -15,6 +15,8 @@ void check_faces(std::vector<ModelObject>& objects, const Reading& reading);
 /// Slots: the objects cover exactly the alternatives that the slot declares, without an empty first one.
 void check_slots(const std::vector<ModelObject>& objects, const Reading& reading);
 
+/// Levels of detail: every level has an object, and no object a level that its detail lacks.
+void check_levels(const std::vector<ModelObject>& objects, const Reading& reading);
 /// Gives every vertex that has no normal the average of its faces' normals in the object (report, Appendix I:
 /// "averaged to produce a vector that points in a direction median to the others"), as a unit vector.
 void average_normals(ModelObject& object);

@@ -29,6 +29,7 @@ CompileResult compile_file(const std::string& path) {
     std::vector<ModelObject> objects = read_objects(tables, reading);
     check_faces(objects, reading);
     check_slots(objects, reading);
+    check_levels(objects, reading);
     for (ModelObject& object : objects)
         average_normals(object);
     const std::vector<OrderedList> lists = order_lists(objects, reading);

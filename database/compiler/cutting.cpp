@@ -25,7 +25,8 @@ OrderCorner between(const OrderCorner& a, const OrderCorner& b, const Vec4d& pos
         const double length = glm::distance(Vec3d(a.position), Vec3d(b.position));
         if (length > 0) part = std::min(1.0, glm::distance(Vec3d(a.position), Vec3d(position)) / length);
     }
-    return {position, a.normal + part * (b.normal - a.normal), point};
+    return {position, a.normal + part * (b.normal - a.normal), a.colour + part * (b.colour - a.colour),
+            point};
 }
 
 } // namespace

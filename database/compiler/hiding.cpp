@@ -1,5 +1,6 @@
 #include "database/compiler/ordering.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -97,11 +98,20 @@ Relation relation_of_layers(const OrderFace& a, const OrderFace& b, bool coplana
     return a.layer > b.layer ? Relation::first_hides : Relation::second_hides;
 }
 
+Relation relation_of_levels(const OrderFace& a, const OrderFace& b) {
+    const bool together =
+        a.levels == Levels::blended && std::max(a.level, b.level) - std::min(a.level, b.level) == 1;
+    if (!together) return Relation::none;
+    return a.level < b.level ? Relation::first_hides : Relation::second_hides;
+}
+
 } // namespace
 
 Relation relation(const OrderFace& a, const OrderFace& b) {
     if (a.slot != none && a.slot == b.slot && a.alternative != b.alternative) return Relation::none;
     if (a.source == b.source) return Relation::none; // parts of one face
+    if (a.detail != none && a.detail == b.detail && a.level != b.level && a.levels != Levels::added)
+        return relation_of_levels(a, b);
     const Sides b_of_a = sides_against(b, a);
     const Sides a_of_b = sides_against(a, b);
     const bool a_before = a_of_b.front || (b.two_sided && a_of_b.back);

@@ -18,6 +18,7 @@ struct ModelVertex {
     std::optional<Vec3d> normal; ///< given by the author, or averaged by average_normals
     std::string name;            ///< empty: generated
     Place at;
+    std::optional<Vec3d> colour{}; ///< its own, 0 to 255
 };
 
 /// What a face takes from its object unless it says otherwise.
@@ -45,7 +46,9 @@ struct ModelObject {
     std::uint32_t list = 0;
     std::int32_t slot = none;
     std::uint32_t alternative = 0;
-    bool resolved = false; ///< everything that it names is known
+    std::int32_t detail = none; ///< into the registry's details
+    std::uint32_t level = 0;    ///< in that detail, which may have fewer (check_levels)
+    bool resolved = false;      ///< everything that it names is known
     std::vector<ModelVertex> vertices;
     std::vector<ModelFace> faces;
     Place at;
@@ -71,7 +74,7 @@ void read_churn(AuthoredTable table, const Reading& reading, std::vector<ModelOb
 
 /// colour, shading, two_sided, layer and opacity of a table, falling back on `inherited`.
 FaceStyle read_style(TableReader& reader, const Reading& reading, const FaceStyle& inherited);
-/// list and slot; `slot_required`: of a sequence. Sets `resolved`.
+/// list, slot, detail and level; `slot_required`: of a sequence. Sets `resolved`.
 void read_membership(TableReader& reader, const Reading& reading, bool slot_required, ModelObject& object);
 /// slot and alternative of an object.
 void read_alternative(TableReader& reader, ModelObject& object);

@@ -15,13 +15,24 @@ constexpr std::size_t most_pairs_told = 20;
 /// Relative error of a stored coordinate, with a margin for the sums of its side.
 constexpr double coordinate_error = 4e-7;
 
-OrderFace order_face(const ModelObject& object, const ModelFace& face, std::uint32_t source) {
+Levels levels_of(const Detail& detail) {
+    if (detail.added != 0) return Levels::added;
+    return detail.blend_m > 0 ? Levels::blended : Levels::one_by_one;
+}
+
+OrderFace order_face(const ModelObject& object, const ModelFace& face, std::uint32_t source,
+                     const Registry& registry) {
     OrderFace result;
     double largest = 0;
+    const std::uint16_t number = face.style.colour.value_or(0);
+    const Colour code = number < registry.colours.size() ? registry.colours[number] : Colour{};
+    const Vec3d own_colour(code.red, code.green, code.blue);
     result.interpolates = face.style.shading == Shading::vertex;
     for (const std::uint32_t corner : face.corners) {
         const ModelVertex& vertex = object.vertices[corner];
-        OrderCorner made{vertex.position, {0, 0, 1}, 0};
+        OrderCorner made{vertex.position};
+        if (vertex.colour) result.coloured = true;
+        made.colour = vertex.colour.value_or(own_colour);
         if (result.interpolates) made.normal = vertex.normal.value_or(face.plane.normal);
         result.corners.push_back(made);
         if (vertex.position.w != 0) largest = std::max(largest, glm::length(Vec3d(vertex.position)));
@@ -33,6 +44,10 @@ OrderFace order_face(const ModelObject& object, const ModelFace& face, std::uint
     result.layer = face.style.layer;
     result.slot = object.slot;
     result.alternative = object.alternative;
+    result.detail = object.detail;
+    result.level = object.level;
+    if (object.detail != none)
+        result.levels = levels_of(registry.authored_details[static_cast<std::size_t>(object.detail)].detail);
     result.source = source;
     return result;
 }
@@ -74,8 +89,9 @@ std::vector<OrderedList> order_lists(const std::vector<ModelObject>& objects, co
         if (!objects[o].resolved) continue;
         OrderedList& list = lists[objects[o].list];
         for (std::uint32_t f = 0; f < objects[o].faces.size(); ++f) {
-            faces[objects[o].list].push_back(
-                order_face(objects[o], objects[o].faces[f], static_cast<std::uint32_t>(list.sources.size())));
+            faces[objects[o].list].push_back(order_face(objects[o], objects[o].faces[f],
+                                                        static_cast<std::uint32_t>(list.sources.size()),
+                                                        *reading.registry));
             list.sources.push_back({o, f});
         }
     }

@@ -23,7 +23,15 @@ namespace linkdig::database {
 struct OrderCorner {
     Vec4d position{0, 0, 0, 1};
     Vec3d normal{0, 0, 1};
+    Vec3d colour{0};         ///< 0 to 255, of a coloured face
     std::uint32_t point = 0; ///< corners at the same place share it
+};
+
+/// Which levels of one detail are present at a time.
+enum class Levels : std::uint8_t {
+    one_by_one, ///< replaced at once
+    blended,    ///< neighbours, while they blend: then the finer is in front, wherever it lies
+    added,      ///< all
 };
 
 struct OrderFace {
@@ -33,12 +41,16 @@ struct OrderFace {
     bool at_infinity = false;
     bool two_sided = false;
     bool interpolates = false; ///< its corners' normals matter
+    bool coloured = false;     ///< its corners' colours matter
     std::int32_t layer = 0;
     std::int32_t slot = none;
     std::uint32_t alternative = 0;
-    std::uint32_t source = 0; ///< the face that it is, or is a part of
-    Vec3d centre{0};          ///< bounding sphere of its corners
-    double radius = 0;        ///< infinite if a corner is
+    std::int32_t detail = none;
+    std::uint32_t level = 0;
+    Levels levels = Levels::one_by_one; ///< of its detail
+    std::uint32_t source = 0;           ///< the face that it is, or is a part of
+    Vec3d centre{0};                    ///< bounding sphere of its corners
+    double radius = 0;                  ///< infinite if a corner is
 };
 
 /// Sets centre and radius from the corners.

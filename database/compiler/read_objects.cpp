@@ -34,6 +34,34 @@ bool read_mirror(TableReader& reader) {
     return reader.choice("mirror", 0, {"y"}) == 0;
 }
 
+namespace {
+
+/// detail and level.
+void read_level(TableReader& reader, const Reading& reading, ModelObject& object) {
+    const Registry& registry = *reading.registry;
+    const auto detail = named(reader, "detail", registry.details, false);
+    if (!reader.has("detail")) {
+        if (reader.node("level") != nullptr)
+            reader.error_at("level", "\"level\" stands without \"detail\"; expected both or neither");
+        return;
+    }
+    object.level = static_cast<std::uint32_t>(reader.integer("level", 0, most_alternatives));
+    object.resolved = object.resolved && detail;
+    if (!detail) return;
+    object.detail = static_cast<std::int32_t>(*detail);
+    const AuthoredDetail& named_detail = registry.authored_details[*detail];
+    const AuthoredList& list = registry.lists[object.list];
+    if (object.resolved && named_detail.resolved && list.list.cluster != named_detail.detail.cluster)
+        reader.error_at("detail",
+                        fmt::format("the detail \"{}\" belongs to the cluster \"{}\", the object to \"{}\"; "
+                                    "expected one cluster",
+                                    registry.details.names()[*detail],
+                                    registry.cluster_names.names()[named_detail.detail.cluster],
+                                    registry.cluster_names.names()[list.list.cluster]));
+}
+
+} // namespace
+
 void read_membership(TableReader& reader, const Reading& reading, bool slot_required, ModelObject& object) {
     const auto list = named(reader, "list", reading.registry->list_names, true);
     const auto slot = named(reader, "slot", reading.registry->slots, slot_required);
@@ -41,6 +69,7 @@ void read_membership(TableReader& reader, const Reading& reading, bool slot_requ
     object.slot = slot ? static_cast<std::int32_t>(*slot) : none;
     object.resolved = list && reading.registry->lists[*list].resolved && (slot || !reader.has("slot"));
     if (slot_required) object.resolved = object.resolved && slot;
+    read_level(reader, reading, object);
 }
 
 void read_alternative(TableReader& reader, ModelObject& object) {
@@ -94,6 +123,7 @@ public:
         read_points("vertices_ft", metres_per_foot, false);
         read_points("directions", 1.0, true);
         read_normals();
+        read_vertex_colours();
         for (const toml::table* face : reader_.tables("face"))
             read_face(*face);
         read_primitives(reader_, table_.file, reading_, style_, object_);
@@ -150,6 +180,25 @@ private:
                     fmt::format("the normal of \"{}\" has no length; expected a vector", name.str()));
             else if (vertex)
                 object_.vertices[*vertex].normal = glm::normalize(value);
+        }
+    }
+
+    /// A colour's name, or three whole numbers.
+    void read_vertex_colours() {
+        const toml::table* table = reader_.table("colours");
+        if (table == nullptr) return;
+        TableReader colours(*table, reader_.file(), "colours of " + reader_.what(), *reading_.diagnostics);
+        for (auto&& [name, node] : *table) {
+            const std::optional<std::uint32_t> vertex =
+                vertex_named(std::string(name.str()), place_of(node, table_.file));
+            Vec3d colour(0.0);
+            if (node.is_array()) {
+                colour = read_rgb(colours, name.str());
+            } else if (const auto index = named(colours, name.str(), reading_.registry->colour_names, true)) {
+                const Colour code = reading_.registry->colours[*index];
+                colour = {code.red, code.green, code.blue};
+            }
+            if (vertex) object_.vertices[*vertex].colour = colour;
         }
     }
 

@@ -68,6 +68,16 @@ std::optional<std::uint32_t> named(TableReader& reader, std::string_view key, co
     return found;
 }
 
+Vec3d read_rgb(TableReader& reader, std::string_view key) {
+    const Vec3d rgb = reader.vector(key);
+    for (int i = 0; i < 3; ++i) {
+        if (rgb[i] >= 0 && rgb[i] <= 255 && std::floor(rgb[i]) == rgb[i]) continue;
+        reader.error_at(key, fmt::format("\"{}\" holds {}; expected whole numbers 0 to 255", key, rgb[i]));
+        return Vec3d(0.0);
+    }
+    return rgb;
+}
+
 namespace {
 
 class RegistryReader {
@@ -123,15 +133,8 @@ private:
     void read_colour(AuthoredTable table) {
         TableReader each = reader(table, "colour");
         add_name(each, table, registry.colour_names);
-        const Vec3d rgb = each.vector("rgb");
-        for (int i = 0; i < 3; ++i) {
-            if (rgb[i] >= 0 && rgb[i] <= 255 && std::floor(rgb[i]) == rgb[i]) continue;
-            each.error_at("rgb", fmt::format("\"rgb\" holds {}; expected whole numbers 0 to 255", rgb[i]));
-            break;
-        }
-        const auto component = [&](int i) {
-            return static_cast<std::uint8_t>(std::min(255.0, std::max(0.0, rgb[i])));
-        };
+        const Vec3d rgb = read_rgb(each, "rgb");
+        const auto component = [&](int i) { return static_cast<std::uint8_t>(rgb[i]); };
         registry.colours.push_back({component(0), component(1), component(2), 0});
         each.finish();
     }
@@ -237,6 +240,7 @@ private:
 Registry read_registry(const AuthoredTables& tables, const Sources& sources, Diagnostics& diagnostics) {
     RegistryReader reader(sources, diagnostics);
     reader.read(tables);
+    read_details(tables, sources, diagnostics, reader.registry);
     return std::move(reader.registry);
 }
 

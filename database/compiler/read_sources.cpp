@@ -118,6 +118,7 @@ void gather_file(const Sources& sources, std::uint16_t file, AuthoredTables& tab
     gather("sequence", tables.sequences);
     gather("churn", tables.churns);
     gather("tile", tables.tiles);
+    gather("detail", tables.details);
     reader.finish();
 }
 

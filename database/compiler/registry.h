@@ -49,24 +49,39 @@ struct AuthoredList {
     Place at;
 };
 
+struct AuthoredDetail {
+    Detail detail;
+    std::vector<float> to_m; ///< of its levels; empty if there is a mistake
+    bool resolved = false;   ///< its cluster is known
+    Place at;
+};
+
 struct Registry {
     std::string name;
     NameTable colour_names{"colour"}, suns{"sun"}, moving_objects{"moving object"}, slots{"slot"},
-        cluster_names{"cluster"}, list_names{"object list"};
+        cluster_names{"cluster"}, list_names{"object list"}, details{"detail"};
     std::vector<Colour> colours;
     std::vector<std::uint32_t> alternatives;  ///< parallel to slots
     std::vector<std::uint32_t> first_objects; ///< parallel to slots: 1 where alternative 0 is nothing, else 0
     std::vector<Place> slot_places;
     std::vector<AuthoredCluster> clusters;
     std::vector<AuthoredList> lists;
+    std::vector<AuthoredDetail> authored_details; ///< parallel to details
 };
 
 Registry read_registry(const AuthoredTables& tables, const Sources& sources, Diagnostics& diagnostics);
+
+/// Levels of detail, into `registry`, which knows the clusters.
+void read_details(const AuthoredTables& tables, const Sources& sources, Diagnostics& diagnostics,
+                  Registry& registry);
 
 /// The number of the thing that the key's value names; an unknown one is reported. Nothing if the key is
 /// absent.
 std::optional<std::uint32_t> named(TableReader& reader, std::string_view key, const NameTable& names,
                                    bool required);
+
+/// Three whole numbers 0 to 255.
+Vec3d read_rgb(TableReader& reader, std::string_view key);
 
 /// Most alternatives of a slot.
 inline constexpr std::int64_t most_alternatives = 4096;

@@ -45,6 +45,7 @@ Json totals_json(const VisualDatabase& d) {
             {"suns", d.suns.size()},
             {"moving_objects", d.moving_objects.size()},
             {"slots", d.slots.size()},
+            {"details", d.details.size()},
             {"groups", d.groups.size()},
             {"clusters", d.clusters.size()},
             {"lists", d.lists.size()},
@@ -65,6 +66,11 @@ Json object_json(const VisualDatabase& d, const ObjectSummary& counts, std::uint
     if (object.slot != none) {
         json["slot"] = d.slots[static_cast<std::size_t>(object.slot)].name;
         json["alternative"] = object.alternative;
+    }
+    if (object.level != none) {
+        const Detail& detail = d.details[d.detail_levels[static_cast<std::size_t>(object.level)].detail];
+        json["detail"] = detail.name;
+        json["level"] = static_cast<std::uint32_t>(object.level) - detail.first_level;
     }
     return json;
 }
@@ -127,6 +133,33 @@ std::string extent_text(const ListSummary& counts) {
     return fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z);
 }
 
+Json detail_json(const VisualDatabase& d, const DatabaseSummary& summary, const Detail& detail) {
+    Json json = {{"name", detail.name},
+                 {"cluster", d.clusters[detail.cluster].name},
+                 {"reference_m", triple(detail.reference_m)},
+                 {"hysteresis_m", short_decimal(detail.hysteresis_m)},
+                 {"blend_m", short_decimal(detail.blend_m)},
+                 {"added", detail.added != 0}};
+    Json& levels = json["levels"] = Json::array();
+    for (std::uint32_t k = detail.first_level; k < detail.first_level + detail.levels; ++k)
+        levels.push_back({{"to_m", short_decimal(d.detail_levels[k].to_m)},
+                          {"objects", summary.levels[k].objects},
+                          {"faces", summary.levels[k].faces},
+                          {"edges", summary.levels[k].edges}});
+    return json;
+}
+
+std::string detail_text(const VisualDatabase& d, const DatabaseSummary& summary, const Detail& detail) {
+    std::string text = fmt::format("detail {} of {}:", detail.name, d.clusters[detail.cluster].name);
+    const auto out = std::back_inserter(text);
+    for (std::uint32_t k = detail.first_level; k < detail.first_level + detail.levels; ++k)
+        fmt::format_to(out, "{} to {:.6g} m {} faces {} edges", k == detail.first_level ? "" : ",",
+                       d.detail_levels[k].to_m, summary.levels[k].faces, summary.levels[k].edges);
+    if (detail.blend_m > 0.0F) fmt::format_to(out, "; blend {:.6g} m", detail.blend_m);
+    if (detail.hysteresis_m > 0.0F) fmt::format_to(out, "; hysteresis {:.6g} m", detail.hysteresis_m);
+    return text + (detail.added != 0 ? "; levels add up\n" : "\n");
+}
+
 } // namespace
 
 std::string dump_json(const VisualDatabase& database, std::uint64_t id) {
@@ -139,6 +172,9 @@ std::string dump_json(const VisualDatabase& database, std::uint64_t id) {
     Json& slots = json["slots"] = Json::array();
     for (const SubstitutionSlot& slot : database.slots)
         slots.push_back({{"name", slot.name}, {"alternatives", slot.alternatives}});
+    Json& details = json["details"] = Json::array();
+    for (const Detail& detail : database.details)
+        details.push_back(detail_json(database, summary, detail));
     Json& clusters = json["clusters"] = Json::array();
     for (const Cluster& cluster : database.clusters)
         clusters.push_back(cluster_json(database, cluster));
@@ -157,6 +193,8 @@ std::string dump_text(const VisualDatabase& database, std::uint64_t id) {
     const auto out = std::back_inserter(text);
     for (const SubstitutionSlot& slot : database.slots)
         fmt::format_to(out, "slot {}: {} alternatives\n", slot.name, slot.alternatives);
+    for (const Detail& detail : database.details)
+        text += detail_text(database, summary, detail);
     fmt::format_to(out, "{:<24} {:<16} {:<10} {:>7} {:>8} {:>7} {:>6}  {}\n", "list", "cluster", "frame",
                    "faces", "at most", "planes", "depth", "extent");
     for (std::size_t i = 0; i < database.lists.size(); ++i) {

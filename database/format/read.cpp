@@ -86,6 +86,8 @@ void copy_named(const stored::VisualDatabase& from, VisualDatabase& to, Copier& 
     for (const std::uint32_t alternatives : *from.slot_alternatives())
         to.slots.push_back({.name = {}, .alternatives = alternatives});
     copier.names_of(*from.slot_names(), to.slots, "slots");
+    copier.records(*from.details(), to.details, "details");
+    copier.names_of(*from.detail_names(), to.details, "details");
     copier.records(*from.clusters(), to.clusters, "clusters");
     copier.names_of(*from.cluster_names(), to.clusters, "clusters");
     copier.records(*from.lists(), to.lists, "lists");
@@ -96,12 +98,14 @@ void copy_named(const stored::VisualDatabase& from, VisualDatabase& to, Copier& 
 
 void copy_unnamed(const stored::VisualDatabase& from, VisualDatabase& to, Copier& copier) {
     copier.records(*from.colours(), to.colours, "colours");
+    copier.records(*from.detail_levels(), to.detail_levels, "detail_levels");
     copier.records(*from.groups(), to.groups, "groups");
     copier.records(*from.planes(), to.planes, "planes");
     copier.records(*from.run_leaves(), to.run_leaves, "run_leaves");
     copier.records(*from.runs(), to.runs, "runs");
     copier.records(*from.faces(), to.faces, "faces");
     copier.numbers(*from.corners(), to.corners);
+    copier.records(*from.corner_colours(), to.corner_colours, "corner_colours");
     copier.records(*from.vertices(), to.vertices, "vertices");
     copier.records(*from.tiles(), to.tiles, "tiles");
     copier.records(*from.tile_normals(), to.tile_normals, "tile_normals");

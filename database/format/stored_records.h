@@ -32,7 +32,8 @@ inline stored::Face to_stored(const Face& f) {
             f.file,
             f.opacity,
             static_cast<std::uint8_t>(f.shading),
-            f.two_sided};
+            f.two_sided,
+            static_cast<std::uint8_t>(f.coloured < 255 ? f.coloured : 255)};
 }
 inline Face from_stored(const stored::Face& f) {
     return {.first_corner = f.first_corner(),
@@ -44,14 +45,16 @@ inline Face from_stored(const stored::Face& f) {
             .two_sided = f.two_sided(),
             .file = f.file(),
             .line = f.line(),
-            .opacity = f.opacity()};
+            .opacity = f.opacity(),
+            .coloured = f.coloured()};
 }
 
 inline stored::FaceRun to_stored(const FaceRun& r) {
-    return {r.first_face, r.face_count, r.slot, r.alternative, to_stored(r.centre), r.radius};
+    return {r.first_face, r.face_count, r.slot, r.alternative, r.level, to_stored(r.centre), r.radius};
 }
 inline FaceRun from_stored(const stored::FaceRun& r) {
-    return {r.first_face(), r.face_count(), r.slot(), r.alternative(), from_stored(r.centre()), r.radius()};
+    return {r.first_face(), r.face_count(),          r.slot(),  r.alternative(),
+            r.level(),      from_stored(r.centre()), r.radius()};
 }
 
 inline stored::PlaneNode to_stored(const PlaneNode& n) {
@@ -73,13 +76,14 @@ inline RunLeaf from_stored(const stored::RunLeaf& l) { return {l.first_run(), l.
 inline stored::PriorityGroup to_stored(const PriorityGroup& g) { return {g.number, g.root}; }
 inline PriorityGroup from_stored(const stored::PriorityGroup& g) { return {g.number(), g.root()}; }
 
-inline stored::Object to_stored(const Object& o) { return {o.list, o.slot, o.alternative}; }
+inline stored::Object to_stored(const Object& o) { return {o.list, o.slot, o.alternative, o.level}; }
 /// An alternative beyond 65535 becomes 65535, which is beyond every slot that validation accepts.
 inline Object from_stored(const stored::Object& o) {
     return {.name = {},
             .list = o.list(),
             .slot = o.slot(),
-            .alternative = static_cast<std::uint16_t>(o.alternative() < 65535 ? o.alternative() : 65535)};
+            .alternative = static_cast<std::uint16_t>(o.alternative() < 65535 ? o.alternative() : 65535),
+            .level = o.level()};
 }
 
 inline stored::ObjectList to_stored(const ObjectList& l) {
@@ -119,6 +123,24 @@ inline Cluster from_stored(const stored::Cluster& c) {
             .half_extent_m = from_stored(c.half_extent_m()),
             .root = c.root()};
 }
+
+inline stored::Detail to_stored(const Detail& d) {
+    return {to_stored(d.reference_m), d.cluster, d.hysteresis_m, d.blend_m, d.added, d.first_level, d.levels};
+}
+/// An `added` that is no byte becomes 255, which validation refuses.
+inline Detail from_stored(const stored::Detail& d) {
+    return {.name = {},
+            .cluster = d.cluster(),
+            .reference_m = from_stored(d.reference_m()),
+            .hysteresis_m = d.hysteresis_m(),
+            .blend_m = d.blend_m(),
+            .added = static_cast<std::uint8_t>(d.added() < 255 ? d.added() : 255),
+            .first_level = d.first_level(),
+            .levels = d.levels()};
+}
+
+inline stored::DetailLevel to_stored(const DetailLevel& l) { return {l.detail, l.to_m}; }
+inline DetailLevel from_stored(const stored::DetailLevel& l) { return {l.detail(), l.to_m()}; }
 
 inline stored::RepeatedTile to_stored(const RepeatedTile& t) {
     return {t.cell_m,

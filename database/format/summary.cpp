@@ -1,7 +1,10 @@
 #include "database/format/summary.h"
 
+#include "database/model/most_at_once.h"
+
 #include <algorithm>
-#include <map>
+#include <array>
+#include <set>
 #include <utility>
 
 namespace linkdig::database {
@@ -35,42 +38,23 @@ void count_faces(const VisualDatabase& database, DatabaseSummary& summary) {
     }
 }
 
-using FacesOfAlternative = std::map<std::pair<std::int32_t, std::uint32_t>, std::uint64_t>;
-
-void count_leaf(const VisualDatabase& database, const RunLeaf& leaf, ListSummary& list,
-                FacesOfAlternative& alternatives) {
+void count_leaf(const VisualDatabase& database, const RunLeaf& leaf, ListSummary& list, MostAtOnce& present) {
     ++list.leaves;
     list.runs += leaf.run_count;
     for (std::uint32_t i = 0; i < leaf.run_count; ++i) {
         const FaceRun& run = database.runs[leaf.first_run + i];
-        alternatives[{run.slot, run.slot == none ? 0 : run.alternative}] += run.face_count;
+        present.add(run.slot, run.alternative, run.level, run.face_count);
     }
-}
-
-/// The map is ordered by slot: the most of each slot's alternatives, and all of what belongs to no slot.
-std::uint64_t most_at_once(const FacesOfAlternative& alternatives) {
-    std::uint64_t total = 0;
-    std::uint64_t most = 0;
-    std::int32_t slot = none;
-    for (const auto& [key, faces] : alternatives) {
-        if (key.first != slot) {
-            total += most;
-            most = 0;
-            slot = key.first;
-        }
-        most = std::max(most, faces);
-    }
-    return total + most;
 }
 
 void walk_tree(const VisualDatabase& database, std::int32_t root, ListSummary& list) {
-    FacesOfAlternative alternatives;
+    MostAtOnce present;
     std::vector<std::pair<std::int32_t, std::uint32_t>> steps{{root, 0}};
     while (!steps.empty()) {
         const auto [reference, depth] = steps.back();
         steps.pop_back();
         if (is_leaf(reference)) {
-            count_leaf(database, database.run_leaves[leaf_index(reference)], list, alternatives);
+            count_leaf(database, database.run_leaves[leaf_index(reference)], list, present);
         } else if (reference != none) {
             ++list.planes;
             list.tree_depth = std::max(list.tree_depth, depth + 1);
@@ -79,7 +63,35 @@ void walk_tree(const VisualDatabase& database, std::int32_t root, ListSummary& l
                 steps.emplace_back(child, depth + 1);
         }
     }
-    list.faces_at_most = most_at_once(alternatives);
+    list.faces_at_most = present.most(database);
+}
+
+using Position = std::array<float, 4>;
+
+Position position_of(const VisualDatabase& database, const Face& face, std::uint32_t corner) {
+    const Vec4f& p = database.vertices[database.corners[face.first_corner + corner]].position;
+    return {p.x, p.y, p.z, p.w};
+}
+
+/// Edges are told apart by list and place: vertices with several normals stand at one place.
+void count_levels(const VisualDatabase& database, DatabaseSummary& summary) {
+    using Edge = std::pair<std::uint32_t, std::pair<Position, Position>>;
+    std::vector<std::set<Edge>> edges(database.detail_levels.size());
+    for (const Object& object : database.objects)
+        if (object.level != none) ++summary.levels[static_cast<std::size_t>(object.level)].objects;
+    for (const Face& face : database.faces) {
+        const Object& object = database.objects[face.object];
+        if (object.level == none) continue;
+        const auto level = static_cast<std::size_t>(object.level);
+        ++summary.levels[level].faces;
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            const std::uint32_t next = k + 1 == face.corner_count ? 0 : k + 1;
+            edges[level].insert({object.list, std::minmax(position_of(database, face, k),
+                                                          position_of(database, face, next))});
+        }
+    }
+    for (std::size_t level = 0; level < edges.size(); ++level)
+        summary.levels[level].edges = edges[level].size();
 }
 
 } // namespace
@@ -90,7 +102,9 @@ DatabaseSummary summarise(const VisualDatabase& database) {
     summary.objects.resize(database.objects.size());
     for (std::uint32_t i = 0; i < database.objects.size(); ++i)
         summary.lists[database.objects[i].list].objects.push_back(i);
+    summary.levels.resize(database.detail_levels.size());
     count_faces(database, summary);
+    count_levels(database, summary);
     for (std::size_t i = 0; i < database.lists.size(); ++i)
         walk_tree(database, database.lists[i].root, summary.lists[i]);
     return summary;

@@ -24,8 +24,7 @@ struct ListSummary {
     std::uint64_t faces = 0;
     std::uint64_t corners = 0;
     std::uint64_t smooth_faces = 0;
-    /// Most faces that can be present at once: of each slot the alternative with the most. A tile's faces not
-    /// counted.
+    /// Most faces that can be present at once (database/model/most_at_once.h). A tile's faces not counted.
     std::uint64_t faces_at_most = 0;
     std::uint64_t runs = 0;
     std::uint64_t leaves = 0;
@@ -36,9 +35,16 @@ struct ListSummary {
     std::vector<std::uint32_t> objects; ///< into VisualDatabase::objects
 };
 
+struct LevelSummary {
+    std::uint64_t objects = 0;
+    std::uint64_t faces = 0;
+    std::uint64_t edges = 0; ///< between two places of a list, whichever faces share them
+};
+
 struct DatabaseSummary {
     std::vector<ListSummary> lists;     ///< parallel to VisualDatabase::lists
     std::vector<ObjectSummary> objects; ///< parallel to VisualDatabase::objects
+    std::vector<LevelSummary> levels;   ///< parallel to VisualDatabase::detail_levels
 };
 
 /// The database is sound (validate.h).

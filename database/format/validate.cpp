@@ -40,6 +40,9 @@ std::string check_face(const VisualDatabase& database, std::size_t i) {
         return out_of_range("faces", i, "file", face.file, database.source_files.size(), "source_files");
     if (face.shading > Shading::vertex) return wrong("faces", i, "shading is none of none, face, vertex");
     if (face.two_sided > 1) return wrong("faces", i, "two_sided is neither 0 nor 1");
+    if (face.coloured > 1) return wrong("faces", i, "coloured is neither 0 nor 1");
+    if (face.coloured == 1 && database.corner_colours.empty())
+        return wrong("faces", i, "coloured is set, but there are no corner_colours");
     if (face.opacity < 1 || face.opacity > 256) return wrong("faces", i, "opacity is not in 1 to 256");
     if (!within(length_of(face.normal), 1.0 - unit_tolerance, 1.0 + unit_tolerance))
         return wrong("faces", i, "normal is not a unit vector");
@@ -49,6 +52,9 @@ std::string check_face(const VisualDatabase& database, std::size_t i) {
 } // namespace
 
 std::string check_faces(const VisualDatabase& database) {
+    if (!database.corner_colours.empty() && database.corner_colours.size() != database.corners.size())
+        return fmt::format("there are {} corners, but {} corner_colours", database.corners.size(),
+                           database.corner_colours.size());
     std::uint64_t corners = 0;
     for (std::size_t i = 0; i < database.faces.size(); ++i) {
         if (std::string reason = check_face(database, i); !reason.empty()) return reason;
@@ -75,6 +81,9 @@ std::string check_runs(const VisualDatabase& database) {
         if (run.slot != none &&
             run.alternative >= database.slots[static_cast<std::size_t>(run.slot)].alternatives)
             return wrong("runs", i, fmt::format("alternative is {}, beyond its slot's", run.alternative));
+        if (!none_or_below(run.level, database.detail_levels.size()))
+            return out_of_range("runs", i, "level", run.level, database.detail_levels.size(),
+                                "detail_levels");
         if (!all_within(run.centre, -max_coordinate_m, max_coordinate_m))
             return wrong("runs", i, "centre is not finite, or beyond 1e7 m");
         if (!within(run.radius, -4 * max_coordinate_m, 4 * max_coordinate_m))
@@ -99,8 +108,8 @@ std::string check_planes(const VisualDatabase& database) {
 }
 
 std::string validate(const VisualDatabase& database) {
-    constexpr std::array checks = {check_names, check_owners, check_vertices, check_faces,
-                                   check_runs,  check_planes, check_tiles,    check_trees};
+    constexpr std::array checks = {check_names, check_owners, check_details, check_vertices, check_faces,
+                                   check_runs,  check_planes, check_tiles,   check_trees};
     for (const auto& check : checks)
         if (std::string reason = check(database); !reason.empty()) return reason;
     return {};

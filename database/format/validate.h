@@ -18,6 +18,7 @@ inline constexpr std::uint64_t max_tile_squares = 4'000'000; ///< of all tiles t
 inline constexpr std::uint32_t max_alternatives = 65535;
 inline constexpr std::uint32_t max_tree_depth =
     4096; ///< planes from a root to a leaf: trees may be walked recursively
+inline constexpr std::uint32_t max_detail_levels = 16; ///< of one detail
 inline constexpr std::size_t max_name_bytes = 4096;
 inline constexpr double unit_tolerance = 1e-3; ///< of a unit vector's length
 

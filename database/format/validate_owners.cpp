@@ -105,6 +105,9 @@ std::string check_objects(const VisualDatabase& database) {
             return wrong("objects", i,
                          fmt::format("alternative is {}, beyond its slot's", object.alternative));
         if (object.reserved != 0) return wrong("objects", i, "reserved is not zero");
+        if (!none_or_below(object.level, database.detail_levels.size()))
+            return out_of_range("objects", i, "level", object.level, database.detail_levels.size(),
+                                "detail_levels");
     }
     return {};
 }
@@ -133,6 +136,7 @@ std::string check_names(const VisualDatabase& database) {
     for (const auto& [what, names] :
          {std::pair{"colour_names", database.colour_names}, std::pair{"suns", database.suns},
           std::pair{"moving_objects", database.moving_objects}, std::pair{"slots", names_of(database.slots)},
+          std::pair{"details", names_of(database.details)},
           std::pair{"clusters", names_of(database.clusters)}, std::pair{"lists", names_of(database.lists)}})
         if (reason.empty()) reason = check_unique(what, names);
     return reason;

@@ -14,6 +14,7 @@ namespace linkdig::database {
 
 std::string check_names(const VisualDatabase& database);
 std::string check_owners(const VisualDatabase& database); ///< slots, groups, clusters, lists, objects
+std::string check_details(const VisualDatabase& database);
 std::string check_vertices(const VisualDatabase& database);
 std::string check_faces(const VisualDatabase& database);
 std::string check_runs(const VisualDatabase& database);

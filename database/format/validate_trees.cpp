@@ -133,6 +133,9 @@ private:
         if (object.slot != run.slot || (run.slot != none && object.alternative != run.alternative))
             return refuse(fmt::format("runs[{}] has another slot or alternative than the object of faces[{}]",
                                       run_index, index));
+        if (object.level != run.level)
+            return refuse(fmt::format("runs[{}] has another level of detail than the object of faces[{}]",
+                                      run_index, index));
     }
 
     void must_all_be_met(const Once& things, std::string_view what, std::string_view where) {

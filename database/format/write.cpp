@@ -61,12 +61,14 @@ std::uint64_t most_bytes(const VisualDatabase& d) {
         return bytes;
     };
     return 4096 + d.name.size() + bytes_of(d.source_files) + bytes_of(d.colour_names) + bytes_of(d.suns) +
-           bytes_of(d.moving_objects) + named(d.slots) + named(d.clusters) + named(d.lists) +
-           named(d.objects) + d.colours.size() * sizeof(Colour) + d.groups.size() * sizeof(PriorityGroup) +
+           bytes_of(d.moving_objects) + named(d.slots) + named(d.details) + named(d.clusters) +
+           named(d.lists) + named(d.objects) + d.colours.size() * sizeof(Colour) +
+           d.groups.size() * sizeof(PriorityGroup) + d.detail_levels.size() * sizeof(stored::DetailLevel) +
            d.planes.size() * sizeof(stored::PlaneNode) + d.run_leaves.size() * sizeof(RunLeaf) +
            d.runs.size() * sizeof(stored::FaceRun) + d.faces.size() * sizeof(stored::Face) +
-           d.corners.size() * sizeof(std::uint32_t) + d.vertices.size() * sizeof(stored::Vertex) +
-           d.tiles.size() * sizeof(stored::RepeatedTile) + d.tile_normals.size() * sizeof(stored::Vec3);
+           d.corners.size() * sizeof(std::uint32_t) + d.corner_colours.size() * sizeof(stored::Colour) +
+           d.vertices.size() * sizeof(stored::Vertex) + d.tiles.size() * sizeof(stored::RepeatedTile) +
+           d.tile_normals.size() * sizeof(stored::Vec3);
 }
 
 /// One statement per field: the order of building is the order of bytes, and C++ does not fix that of
@@ -80,6 +82,9 @@ void build(Builder& builder, const VisualDatabase& d) {
     const auto moving_objects = builder.CreateVectorOfStrings(d.moving_objects);
     const auto slot_names = stored_names(builder, d.slots);
     const auto slot_alternatives = builder.CreateVector(alternatives(d.slots));
+    const auto details = stored_records(builder, d.details);
+    const auto detail_names = stored_names(builder, d.details);
+    const auto detail_levels = stored_records(builder, d.detail_levels);
     const auto groups = stored_records(builder, d.groups);
     const auto clusters = stored_records(builder, d.clusters);
     const auto cluster_names = stored_names(builder, d.clusters);
@@ -92,13 +97,15 @@ void build(Builder& builder, const VisualDatabase& d) {
     const auto runs = stored_records(builder, d.runs);
     const auto faces = stored_records(builder, d.faces);
     const auto corners = builder.CreateVector(d.corners);
+    const auto corner_colours = stored_records(builder, d.corner_colours);
     const auto vertices = stored_records(builder, d.vertices);
     const auto tiles = stored_records(builder, d.tiles);
     const auto tile_normals = stored_records(builder, d.tile_normals);
     const auto root = stored::CreateVisualDatabase(
         builder, name, source_files, colours, colour_names, suns, moving_objects, slot_names,
-        slot_alternatives, groups, clusters, cluster_names, lists, list_names, objects, object_names, planes,
-        run_leaves, runs, faces, corners, vertices, tiles, tile_normals);
+        slot_alternatives, details, detail_names, detail_levels, groups, clusters, cluster_names, lists,
+        list_names, objects, object_names, planes, run_leaves, runs, faces, corners, corner_colours, vertices,
+        tiles, tile_normals);
     stored::FinishVisualDatabaseBuffer(builder, root);
 }
 

@@ -63,7 +63,7 @@ struct Face {
     std::uint16_t file = 0;      ///< into VisualDatabase::source_files
     std::uint32_t line = 0;      ///< line of the authoring file; 0 if generated
     std::uint16_t opacity = 256; ///< of 256: what it takes of the light behind it; 1 to 256
-    std::uint16_t reserved = 0;
+    std::uint16_t coloured = 0;  ///< 1: its corners have colours of their own, which are interpolated
     bool operator==(const Face&) const = default;
 };
 
@@ -74,18 +74,20 @@ struct Object {
     std::int32_t slot = none;      ///< substitution slot it belongs to, or none: always present
     std::uint16_t alternative = 0; ///< its index in that slot: present when the slot's pointer stands on it
     std::uint16_t reserved = 0;
+    std::int32_t level = none; ///< level of detail that it belongs to: into detail_levels; none: at any range
     bool operator==(const Object&) const = default;
 };
 
-/// Faces in their fixed order, front to back, that are present or absent together (same slot and
-/// alternative).
+/// Faces in their fixed order, front to back, that are present or absent together (same slot and alternative,
+/// same level of detail).
 struct FaceRun {
     std::uint32_t first_face = 0;
     std::uint32_t face_count = 0;
     std::int32_t slot = none;
     std::uint32_t alternative = 0;
-    Vec3f centre{0};  ///< bounding sphere in the list's frame, of the vertices with w = 1
-    float radius = 0; ///< metres; negative: reaches infinity, never culled
+    std::int32_t level = none; ///< into VisualDatabase::detail_levels
+    Vec3f centre{0};           ///< bounding sphere in the list's frame, of the vertices with w = 1
+    float radius = 0;          ///< metres; negative: reaches infinity, never culled
     bool operator==(const FaceRun&) const = default;
 };
 
@@ -169,6 +171,30 @@ struct SubstitutionSlot {
     bool operator==(const SubstitutionSlot&) const = default;
 };
 
+/// Levels of detail of one thing, replaced by the range of the nearest eye from a point of its cluster. Level 0 is the
+/// finest; level k is present from the end of level k - 1 out to its own to_m, beyond the last there is nothing.
+/// Either hysteresis or a blend keeps the change from being seen twice, or at all; not both.
+struct Detail {
+    std::string name;
+    std::uint32_t cluster = 0;
+    Vec3d reference_m{0}; ///< in the cluster's body frame (world if it is static)
+    float hysteresis_m =
+        0;             ///< between the change outward and the change back; half of it to each side of to_m
+    float blend_m = 0; ///< over this range, half to each side of to_m, both levels are present
+    std::uint8_t added =
+        0; ///< 1: levels add up instead (report, 3.2.3): each is present from range 0 to its to_m
+    std::uint32_t first_level = 0; ///< into detail_levels
+    std::uint32_t levels = 0;      ///< 1 to 16
+    bool operator==(const Detail&) const = default;
+};
+
+/// The levels of all details, each detail's together, finest first.
+struct DetailLevel {
+    std::uint32_t detail = 0; ///< into details
+    float to_m = 0;           ///< ascending inside a detail
+    bool operator==(const DetailLevel&) const = default;
+};
+
 /// A periodic tile of squares, repeated over the horizontal plane of its list out to the horizon. Squares of
 /// ring k have the side cell_m * 2^k and use every 2^k-th vertex of the pattern; `fine_levels` more levels
 /// below 0 divide the pattern's squares close to the eye.
@@ -197,6 +223,8 @@ struct VisualDatabase {
     std::vector<std::string> suns;           ///< names of the rows of the packet's table of sun vectors
     std::vector<std::string> moving_objects; ///< names of the rows of the packet's table of moving objects
     std::vector<SubstitutionSlot> slots;
+    std::vector<Detail> details;
+    std::vector<DetailLevel> detail_levels;
     std::vector<PriorityGroup> groups; ///< ascending by number
     std::vector<Cluster> clusters;
     std::vector<ObjectList> lists;
@@ -206,6 +234,7 @@ struct VisualDatabase {
     std::vector<FaceRun> runs;
     std::vector<Face> faces;
     std::vector<std::uint32_t> corners; ///< indices into vertices
+    std::vector<Colour> corner_colours; ///< parallel to corners; empty if no face is coloured
     std::vector<Vertex> vertices;
     std::vector<RepeatedTile> tiles;
     std::vector<Vec3f> tile_normals;

@@ -193,7 +193,7 @@ std::string check_environment(const FramePacket& packet, const PacketLimits& lim
         double value, least, greatest;
     };
     const std::array bounds = {Bound{"time_s", packet.time_s, -max_time_s, max_time_s},
-                               Bound{"lod_bias", packet.lod_bias, -most, most},
+                               Bound{"lod_bias", packet.lod_bias, -max_lod_bias, max_lod_bias},
                                Bound{"visibility_m", packet.visibility_m, 0.0, most},
                                Bound{"sky.x", packet.sky.x, 0.0, 1.0},
                                Bound{"sky.y", packet.sky.y, 0.0, 1.0},

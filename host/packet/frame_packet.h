@@ -77,7 +77,7 @@ struct FramePacket {
     std::vector<MovingObject> moving_objects;
     std::vector<Substitution> substitutions;
     std::vector<VertexNormalUpdate> normal_updates;
-    float lod_bias = 0.0F;
+    float lod_bias = 0.0F;          ///< levels of detail reach 2^bias times as far as authored; -16 to 16
     float visibility_m = 0.0F;      ///< meteorological optical range; 0: unlimited
     Vec3f sky{0.60F, 0.72F, 0.86F}; ///< colour where no face is, display-referred 0 to 1
     float time_of_day_h = 12.0F;

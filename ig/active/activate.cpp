@@ -1,5 +1,6 @@
 #include "ig/active/activate.h"
 
+#include "ig/active/detail_levels.h"
 #include "ig/active/repeated_tile.h"
 
 #include <algorithm>
@@ -62,6 +63,7 @@ void attach(const ObjectList& list, const ClusterPose& pose, FaceBlock& block) {
 void point_at_database(const VisualDatabase& database, const ObjectList& list, FaceBlock& block) {
     block.vertices = database.vertices;
     block.corners = database.corners;
+    block.corner_colours = database.corner_colours;
     block.faces = database.faces;
     block.runs = database.runs;
     block.leaves = database.run_leaves;
@@ -71,10 +73,11 @@ void point_at_database(const VisualDatabase& database, const ObjectList& list, F
 } // namespace
 
 void activate(const VisualDatabase& database, const FramePacket& packet, const Configuration& configuration,
-              ActiveDatabase& active) {
+              History& history, ActiveDatabase& active) {
     active.database = &database;
     place_clusters(database, packet, active);
     point_slots(database, packet, active);
+    choose_levels(database, packet, history, active);
     active.blocks.clear();
     clear_made_faces(active);
     for (std::uint32_t l = 0; l < database.lists.size(); ++l) {

@@ -26,6 +26,7 @@ struct FaceBlock {
     std::int32_t colour = none; ///< overrides every face's colour code
     std::span<const Vertex> vertices{};
     std::span<const std::uint32_t> corners{}; ///< indices into vertices
+    std::span<const Colour> corner_colours{}; ///< parallel to corners, or empty: no face is coloured
     std::span<const Face> faces{};            ///< first_corner indexes `corners`
     std::span<const FaceRun> runs{};          ///< first_face indexes `faces`
     std::span<const RunLeaf> leaves{};        ///< first_run indexes `runs`
@@ -50,6 +51,9 @@ struct ActiveDatabase {
     std::vector<std::uint32_t>
         slot_index; ///< parallel to VisualDatabase::slots: the alternative that is present
 
+    std::vector<std::uint16_t>
+        level_opacity; ///< parallel to VisualDatabase::detail_levels: of 256; 0 is absent
+
     /// Storage of the faces made this frame. Capacities persist from frame to frame.
     std::vector<Vertex> made_vertices;
     std::vector<std::uint32_t> made_corners;
@@ -60,9 +64,15 @@ struct ActiveDatabase {
     std::vector<std::uint32_t> made_faces_of; ///< blocks whose faces were made this frame
 };
 
-/// Is this run in the active data base, given the slots' pointers?
-inline bool present(const FaceRun& run, std::span<const std::uint32_t> slot_index) {
-    return run.slot == none || slot_index[static_cast<std::size_t>(run.slot)] == run.alternative;
+/// How much of a level of detail is seen, of 256; what belongs to none (`none`) is wholly there.
+inline std::uint16_t level_opacity(const ActiveDatabase& active, std::int32_t level) {
+    return level == none ? std::uint16_t{256} : active.level_opacity[static_cast<std::size_t>(level)];
+}
+
+/// Is this run in the active data base, given the slots' pointers and the levels of detail?
+inline bool present(const FaceRun& run, const ActiveDatabase& active) {
+    return (run.slot == none || active.slot_index[static_cast<std::size_t>(run.slot)] == run.alternative) &&
+           level_opacity(active, run.level) != 0;
 }
 
 } // namespace linkdig::ig

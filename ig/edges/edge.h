@@ -56,11 +56,14 @@ struct EdgeFace {
     std::int32_t first_line = 0; ///< lines it touches, within the raster
     std::int32_t end_line = 0;
     std::int32_t plane = -1;         ///< into FaceEdges::planes, or -1: flat
+    bool coloured = false;           ///< its plane and the next two are of red, green and blue
     std::uint32_t first_outline = 0; ///< into FaceEdges::outlines; with edge smoothing alone
     std::uint32_t outlines = 0;
-    bool blends = false; ///< semi-opaque or additive: others show through it
+    bool blends = false; ///< semi-opaque, additive or fading: others show through it
     bool additive = false;
     std::uint16_t opacity = 256; ///< of 256
+    std::uint16_t fade = 256;    ///< of 256: what is seen of its level of detail
+    std::int32_t level = -1;     ///< the level while it fades, else -1
 };
 
 /// Parallel to ProjectedFaces::faces.

@@ -121,7 +121,9 @@ public:
         EdgeFace made{.first_edge = static_cast<std::uint32_t>(out_.edges.size()), .first_line = lines_};
         made.additive = face.added_to >= 0;
         made.opacity = face.opacity;
-        made.blends = made.additive || face.opacity < opaque;
+        made.fade = face.fade;
+        made.level = face.level;
+        made.blends = made.additive || face.opacity < opaque || face.fade < opaque;
         put_crossings(points, face.point_count, made);
         if (face.triangle >= 0 && (made.leading > 0 || smoothing_)) put_plane(face, points[0], made);
         if (smoothing_) put_outline(points, face.point_count, made);
@@ -159,8 +161,12 @@ private:
             element = corner.element >> 8;
         }
         made.plane = static_cast<std::int32_t>(out_.planes.size());
-        out_.planes.push_back(make_plane(projected_.triangles[static_cast<std::size_t>(face.triangle)], line,
-                                         std::clamp(element, 0, elements_ - 1)));
+        made.coloured = face.colour_step != 0;
+        for (std::uint32_t k = 0; k < (made.coloured ? 3U : 1U); ++k) {
+            const std::size_t triangle = static_cast<std::size_t>(face.triangle) + k * face.colour_step;
+            out_.planes.push_back(
+                make_plane(projected_.triangles[triangle], line, std::clamp(element, 0, elements_ - 1)));
+        }
     }
 
     void put_outline(const RasterPoint* points, std::size_t count, EdgeFace& made) {

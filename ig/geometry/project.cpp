@@ -3,6 +3,7 @@
 #include "ig/geometry/depth_plane.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace linkdig::ig {
@@ -48,6 +49,8 @@ public:
             const FaceRun& run = block_->runs[ranked.run];
             out_.offered += run.face_count;
             if (!in_sight(run)) continue;
+            fade_ = level_opacity(active_, run.level);
+            level_ = fade_ < opaque ? run.level : none;
             for (std::uint32_t f = run.first_face; f < run.first_face + run.face_count; ++f)
                 put_face(f);
         }
@@ -143,7 +146,9 @@ private:
             all &= see(corners[k]).outside;
         if ((all & frustum_sides) != 0) return;
         depth_ = with_depth_ && !block_->at_eye ? put_depth(corners, face.corner_count) : -1;
-        if (face.shading == Shading::vertex && block_->smooth) {
+        if (face.coloured != 0 && block_->colour == none && !block_->corner_colours.empty()) {
+            put_coloured(face, corners);
+        } else if (face.shading == Shading::vertex && block_->smooth) {
             put_smooth(corners, face.corner_count);
         } else {
             put_flat(corners, face.corner_count,
@@ -194,7 +199,44 @@ private:
     }
 
     void put_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        const SeenVertex* seen[3] = {&see(a), &see(b), &see(c)};
+        put_triangle({&see(a), &see(b), &see(c)});
+    }
+
+    /// Three interpolants, each by the way of the one: the same triangles come three times, in the same order, and faces
+    /// are put out the first time.
+    void put_coloured(const Face& face, const std::uint32_t* corners) {
+        const std::size_t first_face = out_.faces.size();
+        const std::size_t first_triangle = out_.triangles.size();
+        for (const auto component : {&Colour::red, &Colour::green, &Colour::blue}) {
+            for (std::uint32_t k = 1; k + 1 < face.corner_count; ++k) {
+                const std::array<SeenVertex, 3> seen = {coloured(face, corners, 0, component),
+                                                        coloured(face, corners, k, component),
+                                                        coloured(face, corners, k + 1, component)};
+                put_triangle({&seen[0], &seen[1], &seen[2]});
+            }
+            triangles_alone_ = true;
+        }
+        triangles_alone_ = false;
+        const auto step = static_cast<std::uint32_t>(out_.triangles.size() - first_triangle) / 3;
+        for (std::size_t f = first_face; f < out_.faces.size(); ++f)
+            out_.faces[f].colour_step = step;
+    }
+
+    /// A corner whose intensity is that of a component of its colour.
+    SeenVertex coloured(const Face& face, const std::uint32_t* corners, std::uint32_t k,
+                        std::uint8_t Colour::*component) {
+        SeenVertex seen = see(corners[k]);
+        const Vec3f& normal = face.shading == Shading::vertex && block_->smooth
+                                  ? block_->vertices[corners[k]].normal
+                                  : face.normal;
+        const std::int64_t intensity =
+            face.shading == Shading::unshaded ? intensity_one : lit_intensity(*block_, normal);
+        const std::uint8_t code = block_->corner_colours[face.first_corner + k].*component;
+        seen.point.intensity = static_cast<double>((intensity * code + 127) / 255);
+        return seen;
+    }
+
+    void put_triangle(const std::array<const SeenVertex*, 3>& seen) {
         if ((seen[0]->outside & seen[1]->outside & seen[2]->outside & frustum_sides) != 0) return;
         const std::uint8_t any = seen[0]->outside | seen[1]->outside | seen[2]->outside;
         if ((any & before_near) != 0) {
@@ -296,6 +338,7 @@ private:
 
     /// Clips scratch_.polygon, all of it in front of the near plane, to the guard band, and puts it out.
     void put_clipped_to_guard(std::int32_t triangle, std::int32_t intensity) {
+        if (triangles_alone_) return;
         auto& polygon = scratch_.polygon;
         // |scale * t + offset| <= limit for each raster axis, as planes through the eye.
         clip(polygon, {.a = view_.scale.x_scale, .c = view_.scale.x_offset + guard_limit}, scratch_.spare);
@@ -319,6 +362,10 @@ private:
 
     /// Turns the points from `first` on into a face, or takes them back if it cannot be seen.
     void finish_polygon(std::size_t first, std::int32_t triangle, std::int32_t intensity) {
+        if (triangles_alone_) {
+            out_.points.resize(first);
+            return;
+        }
         const std::size_t count = out_.points.size() - first;
         RasterPoint* points = out_.points.data() + first;
         std::int64_t area = 0;
@@ -355,7 +402,9 @@ private:
                               .depth = depth_,
                               .list = block_->list,
                               .added_to = active_.database->lists[block_->list].added_to,
-                              .opacity = opacity_});
+                              .opacity = opacity_,
+                              .fade = fade_,
+                              .level = level_});
     }
 
     const ActiveDatabase& active_;
@@ -375,7 +424,10 @@ private:
     std::int32_t depth_ = -1;
     std::uint16_t colour_ = 0;
     std::uint16_t opacity_ = opaque;
+    std::uint16_t fade_ = opaque;
+    std::int32_t level_ = none;
     bool two_sided_ = false;
+    bool triangles_alone_ = false; ///< the second and third time that a coloured face comes
 };
 
 } // namespace

@@ -61,6 +61,11 @@ struct ProjectedFace {
     std::uint32_t list = 0;                 ///< into VisualDatabase::lists
     std::int32_t added_to = -1; ///< additive face: the list whose faces it brightens; -1: an ordinary one
     std::uint16_t opacity = opaque;
+    /// Coloured face: its triangle, and those this many and twice as many further, are of red, green and blue, 255 being
+    /// 1.0. 0: one intensity for the colour code.
+    std::uint32_t colour_step = 0;
+    std::uint16_t fade = opaque; ///< what is seen of its level of detail, of 256: beside its own opacity
+    std::int32_t level = -1;     ///< into VisualDatabase::detail_levels while that fades, else -1
 };
 
 /// From tangents to the raster: picture column in 1/256 pixel = x_scale * x/z + x_offset, row likewise, down.

@@ -115,8 +115,15 @@ Layer layer_of(const StageOutputs& outputs, std::uint32_t rank, std::int32_t lin
     layer.ambient = block.ambient;
     layer.diffuse = block.diffuse;
     layer.intensity = projected.intensity;
+    layer.level = database.objects[face.object].level;
+    layer.level_opacity = projected.fade;
     const std::int32_t plane = outputs.edges->faces[rank].plane;
-    if (plane >= 0) {
+    layer.coloured = outputs.edges->faces[rank].coloured;
+    if (layer.coloured) {
+        for (std::size_t k = 0; k < 3; ++k)
+            layer.tint[k] =
+                intensity_at(outputs.edges->planes[static_cast<std::size_t>(plane) + k], line, element);
+    } else if (plane >= 0) {
         layer.smooth = true;
         layer.intensity = intensity_at(outputs.edges->planes[static_cast<std::size_t>(plane)], line, element);
         const IntensityTriangle& triangle =

@@ -45,6 +45,10 @@ struct Layer {
     float diffuse = 0;
     std::int32_t corner_intensity[3] = {0, 0, 0}; ///< of the triangle, if smooth; 1.0 = 2^22
     std::int32_t intensity = 0;                   ///< at the pixel
+    bool coloured = false;             ///< its corners have colours: `tint` instead of code x intensity
+    std::int32_t tint[3] = {0, 0, 0};  ///< red, green, blue at the pixel; 255 is 1.0 = 2^22
+    std::int32_t level = none;         ///< of detail: into VisualDatabase::detail_levels
+    std::uint16_t level_opacity = 256; ///< of 256: what is seen of that level
 };
 
 /// A channel's stage outputs of the last frame.

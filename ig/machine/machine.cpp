@@ -17,6 +17,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace linkdig::ig {
 
@@ -115,6 +116,7 @@ struct Machine::State {
     tbb::global_control parallelism; ///< lets an arena have more threads than the machine has cores
     tbb::task_arena arena;
     std::vector<BandWorker> workers; ///< one per thread of the arena
+    History history;
     ActiveDatabase active;
     std::vector<Channel> channels;
     FrameReport report;
@@ -123,7 +125,7 @@ struct Machine::State {
 
     /// The block diagram.
     void draw(const FramePacket& packet) {
-        activate(database, packet, configuration, active);
+        activate(database, packet, configuration, history, active);
         channels.resize(packet.channels.size());
         report.channels.assign(packet.channels.size(), {});
         for (std::size_t c = 0; c < packet.channels.size(); ++c) {
@@ -213,6 +215,10 @@ const VideoFrame& Machine::picture(std::size_t channel) const {
     static const VideoFrame no_picture;
     return channel < state_->channels.size() ? state_->channels[channel].picture : no_picture;
 }
+
+const History& Machine::history() const { return state_->history; }
+
+void Machine::restore(History history) { state_->history = std::move(history); }
 
 void Machine::draw_planes(bool intensity, bool rank) {
     state_->intensity_plane = intensity;

@@ -2,6 +2,7 @@
 /// The image generator as one block: a packet in, pictures and a report out.
 
 #include "host/packet/link.h"
+#include "ig/active/history.h"
 #include "ig/configuration.h"
 #include "ig/machine/explain.h"
 #include "ig/video/line.h"
@@ -27,6 +28,11 @@ public:
     /// The picture of a channel of the last frame; valid until the next call of frame(). An empty frame if
     /// the channel is off or was never drawn.
     const VideoFrame& picture(std::size_t channel) const;
+
+    /// What the machine remembers of the frames before. Put back, maybe into another machine on the same database, it
+    /// makes the same packets give the same pictures. A refused packet leaves it alone.
+    const History& history() const;
+    void restore(History history);
 
     /// Draw these planes beside the colour from the next frame on.
     void draw_planes(bool intensity, bool rank);

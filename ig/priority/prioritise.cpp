@@ -54,7 +54,7 @@ void put_runs(const ActiveDatabase& active, std::uint32_t block_index, const Vec
         [&](std::uint32_t leaf_number) {
             const RunLeaf& leaf = block.leaves[leaf_number];
             for (std::uint32_t run = leaf.first_run; run < leaf.first_run + leaf.run_count; ++run) {
-                if (present(block.runs[run], active.slot_index)) order.runs.push_back({block_index, run});
+                if (present(block.runs[run], active)) order.runs.push_back({block_index, run});
             }
         });
 }

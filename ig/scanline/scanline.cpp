@@ -138,16 +138,33 @@ private:
         SharedPixel& pixel = out_.pixels[index];
         const std::uint32_t covered = std::min(coverage, pixel.left);
         if (face_->additive) {
-            out_.shares.push_back({rank_, index, covered});
+            out_.shares.push_back({rank_, index, part_of(covered, face_->fade)});
             return;
         }
-        const std::uint32_t weight = face_->opacity >= 256 ? covered : (covered >> 8U) * face_->opacity;
+        const std::uint32_t weight =
+            face_->level < 0 ? part_of(covered, face_->opacity) : fading(pixel, coverage);
         if (weight == 0) return;
         out_.shares.push_back({rank_, index, weight});
         pixel.left -= weight;
         if (pixel.left != 0) return;
         clear_bits(scratch_.open.data() + line * words_, element, element + 1);
         --scratch_.open_count[line];
+    }
+
+    static std::uint32_t part_of(std::uint32_t amount, std::uint32_t part) {
+        return part >= 256 ? amount : (amount >> 8U) * part;
+    }
+
+    /// A share of a face whose level of detail fades: the level as a whole lets through what is behind it, not each of its
+    /// faces what is behind that one.
+    std::uint32_t fading(SharedPixel& pixel, std::uint32_t coverage) const {
+        if (pixel.level != face_->level) {
+            pixel.level = face_->level;
+            pixel.left_by_level = pixel.left;
+        }
+        const std::uint32_t taken = part_of(std::min(coverage, pixel.left_by_level), face_->opacity);
+        pixel.left_by_level -= taken;
+        return std::min(part_of(taken, face_->fade), pixel.left);
     }
 
     std::uint32_t& index_of(std::size_t line, std::uint32_t element) {

@@ -26,6 +26,10 @@ struct SharedPixel {
     std::uint16_t line = 0;
     std::uint16_t element = 0;
     std::uint32_t left = whole_pixel; ///< what no face has taken
+    /// The level of detail that fades over this pixel, and what its faces would have left if it did not: those behind
+    /// others of the level stay hidden by them.
+    std::int32_t level = -1;
+    std::uint32_t left_by_level = 0;
 };
 
 /// The rank that stands for the background in a share.

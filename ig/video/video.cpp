@@ -1,6 +1,7 @@
 #include "ig/video/video.h"
 
 #include "ig/edges/edges.h"
+#include "ig/video/colour_run.h"
 
 #include <algorithm>
 
@@ -96,6 +97,34 @@ void draw_segment(const VideoInput& input, const ProjectedFace& face, const Inte
     }
 }
 
+void draw_coloured_segment(const VideoInput& input, const ProjectedFace& face, const IntensityPlane* planes,
+                           const Segment& segment, std::uint32_t* pixels) {
+    const Air& air = *input.air;
+    if (air.clear() || face.depth < 0) {
+        colour_run(planes, segment.line, segment.first, segment.count, pixels);
+        return;
+    }
+    const DepthPlane& depth = input.projected->depths[static_cast<std::size_t>(face.depth)];
+    std::int32_t transmission = 0;
+    const bool flat = air.is_flat(depth, transmission);
+    colour_run_in_air(planes, flat ? nullptr : &depth, transmission, air, segment.line, segment.first,
+                      segment.count, pixels);
+}
+
+/// The brightest of the three interpolants stands for a coloured face in the intensity plane.
+std::int32_t brightest_of(const Tint& tint) { return std::max({tint[0], tint[1], tint[2]}); }
+
+void plane_colours(const Raster& raster, const IntensityPlane* planes, const Segment& segment,
+                   VideoFrame& frame) {
+    if (frame.intensity.empty()) return;
+    for (std::uint32_t k = 0; k < segment.count; ++k) {
+        Segment one = segment;
+        one.first = static_cast<std::uint16_t>(segment.first + k);
+        one.count = 1;
+        fill_plane(raster, one, brightest_of(tint_at(planes, segment.line, one.first)), frame.intensity);
+    }
+}
+
 constexpr std::uint32_t brightest = 255U << 7U; ///< of Components
 
 /// Adds up the shares of the band's shared pixels, front to back, and writes each pixel once.
@@ -115,8 +144,8 @@ public:
                 continue;
             }
             const ProjectedFace& face = input_.projected->faces[share.face];
-            const std::int32_t intensity = intensity_of(share, face);
-            const Components shown = lit(input_.colours[face.colour], intensity);
+            std::int32_t intensity = 0;
+            const Components shown = lit_share(share, face, intensity);
             if (face.added_to != none) {
                 wait(share, through(share, face, shown, true), face.added_to);
             } else {
@@ -139,12 +168,17 @@ public:
     }
 
 private:
-    std::int32_t intensity_of(const Share& share, const ProjectedFace& face) const {
-        const std::int32_t plane = input_.edges->faces[share.face].plane;
+    Components lit_share(const Share& share, const ProjectedFace& face, std::int32_t& intensity) const {
+        const EdgeFace& edges = input_.edges->faces[share.face];
         const SharedPixel& pixel = band_.pixels[share.pixel];
-        return plane < 0 ? face.intensity
-                         : intensity_at(input_.edges->planes[static_cast<std::size_t>(plane)], pixel.line,
-                                        pixel.element);
+        const IntensityPlane* planes = input_.edges->planes.data() + std::max(edges.plane, 0);
+        if (edges.coloured) {
+            const Tint tint = tint_at(planes, pixel.line, pixel.element);
+            intensity = brightest_of(tint);
+            return lit(tint);
+        }
+        intensity = edges.plane < 0 ? face.intensity : intensity_at(*planes, pixel.line, pixel.element);
+        return lit(input_.colours[face.colour], intensity);
     }
 
     /// Light that is added brings no horizon of its own: the face behind it does.
@@ -213,11 +247,17 @@ void draw_band(const VideoInput& input, const Raster& raster, const BandSegments
     for (const Segment& segment : band.segments) {
         const ProjectedFace& face = input.projected->faces[segment.face];
         const std::int32_t plane = input.edges->faces[segment.face].plane;
+        fill_plane(raster, segment, static_cast<std::int32_t>(segment.face), frame.rank);
+        if (input.edges->faces[segment.face].coloured) {
+            const IntensityPlane* planes = input.edges->planes.data() + plane;
+            draw_coloured_segment(input, face, planes, segment, beam.at(segment));
+            plane_colours(raster, planes, segment, frame);
+            continue;
+        }
         const IntensityPlane intensity =
             plane >= 0 ? input.edges->planes[static_cast<std::size_t>(plane)] : level_plane(face.intensity);
         draw_segment(input, face, intensity, segment, beam.at(segment));
         plane_intensities(raster, intensity, segment, frame);
-        fill_plane(raster, segment, static_cast<std::int32_t>(segment.face), frame.rank);
     }
     for (const Segment& segment : band.background) {
         std::fill_n(beam.at(segment), segment.count, shade(input.background, intensity_one));

@@ -25,7 +25,8 @@ Scene scene_of(const VisualDatabase& database, const FramePacket& packet, const 
     Configuration configuration;
     configuration.raster = raster;
     ActiveDatabase active;
-    activate(database, packet, configuration, active);
+    History history;
+    activate(database, packet, configuration, history, active);
     PriorityScratch priority_scratch;
     PriorityOrder order;
     prioritise(active, packet.channels[0], priority_scratch, order);

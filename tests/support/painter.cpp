@@ -119,6 +119,21 @@ ig::VideoFrame paint(const ig::ProjectedFaces& projected, const ig::Raster& rast
     for (std::size_t rank = projected.faces.size(); rank-- > 0;) {
         const ig::ProjectedFace& face = projected.faces[rank];
         for_each_covered(points_of(projected, face), raster, [&](std::uint32_t line, std::uint32_t element) {
+            if (face.colour_step != 0) {
+                std::array<std::int32_t, 3> tint{};
+                for (std::size_t k = 0; k < 3; ++k)
+                    tint[k] = gouraud(
+                        projected.triangles[static_cast<std::size_t>(face.triangle) + k * face.colour_step],
+                        line, element);
+                const auto component = [&](std::size_t k) {
+                    return shaded({255, 255, 255}, tint[k]) >> (8 * k) & 255U;
+                };
+                const std::size_t at = place(raster, line, element);
+                frame.pixels[at] = component(0) | component(1) << 8U | component(2) << 16U | 0xff000000U;
+                frame.intensity[at] = std::max({tint[0], tint[1], tint[2]});
+                frame.rank[at] = static_cast<std::int32_t>(rank);
+                return;
+            }
             const std::int32_t intensity =
                 face.triangle < 0
                     ? face.intensity

@@ -67,10 +67,33 @@ TEST(DumpJson, IsATreeOfListsAndObjects) {
     EXPECT_EQ(dump["lists"][2]["extent"], nullptr);
 }
 
+TEST(Summary, CountsLevelByLevel) {
+    const DatabaseSummary summary = summarise(sample_database());
+    ASSERT_EQ(summary.levels.size(), 3U);
+    EXPECT_EQ(summary.levels[0].objects, 1U);
+    EXPECT_EQ(summary.levels[0].faces, 1U);
+    EXPECT_EQ(summary.levels[0].edges, 4U);
+    EXPECT_EQ(summary.levels[1].edges, 0U);
+}
+
+TEST(DumpJson, TellsLevelsOfDetail) {
+    const json dump = json::parse(dump_json(sample_database(), 1));
+    EXPECT_EQ(dump["totals"]["details"], 2);
+    EXPECT_EQ(dump["details"][0], json::parse(R"({"name": "runway", "cluster": "ground",
+        "reference_m": [0.5, 0.5, 0.0], "hysteresis_m": 0.0, "blend_m": 50.0, "added": false,
+        "levels": [{"to_m": 500.0, "objects": 1, "faces": 1, "edges": 4}]})"));
+    EXPECT_EQ(dump["details"][1]["levels"].size(), 2U);
+    EXPECT_EQ(dump["lists"][3]["objects"][0]["detail"], "runway");
+    EXPECT_EQ(dump["lists"][3]["objects"][0]["level"], 0);
+}
+
 TEST(DumpText, NamesListsAndSlots) {
     const std::string text = dump_text(sample_database(), 0xabc);
     EXPECT_THAT(text, HasSubstr("sample (id 0000000000000abc): 5 faces"));
     EXPECT_THAT(text, HasSubstr("slot wake: 2 alternatives"));
+    EXPECT_THAT(text, HasSubstr("detail runway of ground: to 500 m 1 faces 4 edges; blend 50 m\n"));
+    EXPECT_THAT(text, HasSubstr("detail ship of ship: to 100 m 0 faces 0 edges, to 250 m 0 faces 0 edges; "
+                                "hysteresis 5 m; levels add up\n"));
     EXPECT_THAT(text, HasSubstr("1 x 1 x 1 m"));
     EXPECT_THAT(text, HasSubstr("tile, to the horizon"));
 }

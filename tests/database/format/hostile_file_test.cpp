@@ -39,6 +39,8 @@ struct Parts {
 std::vector<std::uint8_t> finished(Builder& builder, Parts parts) {
     const auto none_of = [&]<typename T>(T*) { return builder.CreateVectorOfStructs<T>(nullptr, 0); };
     const auto colours = none_of(static_cast<stored::Colour*>(nullptr));
+    const auto details = none_of(static_cast<stored::Detail*>(nullptr));
+    const auto levels = none_of(static_cast<stored::DetailLevel*>(nullptr));
     const auto groups = none_of(static_cast<stored::PriorityGroup*>(nullptr));
     const auto clusters = none_of(static_cast<stored::Cluster*>(nullptr));
     const auto objects = none_of(static_cast<stored::Object*>(nullptr));
@@ -52,8 +54,9 @@ std::vector<std::uint8_t> finished(Builder& builder, Parts parts) {
     const auto numbers = builder.CreateVector(std::vector<std::uint32_t>{});
     const auto root = stored::CreateVisualDatabase(
         builder, parts.name, parts.source_files, colours, parts.strings, parts.strings, parts.strings,
-        parts.strings, numbers, groups, clusters, parts.strings, parts.lists, parts.list_names, objects,
-        parts.strings, planes, leaves, runs, faces, numbers, vertices, tiles, normals);
+        parts.strings, numbers, details, parts.strings, levels, groups, clusters, parts.strings, parts.lists,
+        parts.list_names, objects, parts.strings, planes, leaves, runs, faces, numbers, colours, vertices,
+        tiles, normals);
     stored::FinishVisualDatabaseBuffer(builder, root);
     return sealed(builder);
 }

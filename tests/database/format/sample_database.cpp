@@ -32,6 +32,7 @@ std::int32_t add_square(VisualDatabase& d, std::uint32_t object, float z) {
                       .face_count = 1,
                       .slot = owner.slot,
                       .alternative = owner.alternative,
+                      .level = owner.level,
                       .centre = {0.5F, 0.5F, z},
                       .radius = 0.75F});
     d.run_leaves.push_back({static_cast<std::uint32_t>(d.runs.size() - 1), 1});
@@ -92,7 +93,12 @@ void add_surroundings(VisualDatabase& d) {
     d.clusters.push_back({.name = "ground", .group = 1, .root = leaf_reference(3)});
     d.lists.push_back({.name = "sea", .cluster = 1, .tile = 0});
     d.lists.push_back({.name = "ground", .cluster = 2});
-    d.objects.push_back({.name = "runway", .list = 3});
+    d.details.push_back(
+        {.name = "runway", .cluster = 2, .reference_m = {0.5, 0.5, 0}, .blend_m = 50, .levels = 1});
+    d.details.push_back(
+        {.name = "ship", .cluster = 0, .hysteresis_m = 5, .added = 1, .first_level = 1, .levels = 2});
+    d.detail_levels = {{0, 500}, {1, 100}, {1, 250}};
+    d.objects.push_back({.name = "runway", .list = 3, .level = 0});
     d.lists[3].root = add_square(d, 3, 0);
     d.vertices.back().position = {1, 2, 0, 0};
     d.runs.back().radius = -1;
@@ -122,6 +128,9 @@ VisualDatabase sample_database() {
     add_names(d);
     add_ship(d);
     add_surroundings(d);
+    for (std::size_t i = 0; i < d.corners.size(); ++i)
+        d.corner_colours.push_back({static_cast<std::uint8_t>(i), 20, 200, 0});
+    d.faces[4].coloured = 1;
     return d;
 }
 

@@ -268,6 +268,49 @@ TEST(Validate, ToleranceOfUnitVectors) {
     EXPECT_EQ(validate(database), "faces[0].normal is not a unit vector");
 }
 
+TEST(Validate, ColoursOfCorners) {
+    expect_told({
+        {"faces[4].coloured is neither 0 nor 1", [](auto& d) { d.faces[4].coloured = 2; }},
+        {"faces[4].coloured is set, but there are no corner_colours",
+         [](auto& d) { d.corner_colours.clear(); }},
+        {"there are 20 corners, but 19 corner_colours", [](auto& d) { d.corner_colours.pop_back(); }},
+    });
+}
+
+TEST(Validate, Details) {
+    expect_told({
+        {"one of details has no name", [](auto& d) { d.details[0].name = ""; }},
+        {"details[1].cluster is 3, but there are 3 clusters", [](auto& d) { d.details[1].cluster = 3; }},
+        {"details[0].reference_m is not finite, or beyond 1e7 m",
+         [](auto& d) { d.details[0].reference_m.z = std::numeric_limits<double>::quiet_NaN(); }},
+        {"details[0].hysteresis_m or blend_m is negative, not finite, or beyond 1e7 m",
+         [](auto& d) { d.details[0].blend_m = infinite; }},
+        {"details[0].hysteresis_m and blend_m are both set", [](auto& d) { d.details[0].hysteresis_m = 1; }},
+        {"details[1].added is neither 0 nor 1", [](auto& d) { d.details[1].added = 2; }},
+        {"details[0].levels is 0; expected 1 to 16", [](auto& d) { d.details[0].levels = 0; }},
+        {"details[1].first_level is not where the levels before it end, or its levels pass the end",
+         [](auto& d) { d.details[1].levels = 3; }},
+        {"details[1].first_level is not where the levels before it end, or its levels pass the end",
+         [](auto& d) { d.details[1].first_level = 0; }},
+        {"there are 4 detail_levels, but details own 3",
+         [](auto& d) {
+             d.detail_levels.push_back({1, 900});
+         }},
+        {"detail_levels[1].detail is 0; expected its owner, 1",
+         [](auto& d) { d.detail_levels[1].detail = 0; }},
+        {"detail_levels[2].to_m leaves no range to the level",
+         [](auto& d) { d.detail_levels[2].to_m = 100; }},
+        {"detail_levels[0].to_m leaves no range to the level",
+         [](auto& d) { d.detail_levels[0].to_m = nan; }},
+        {"detail_levels[2].to_m is closer to the level before than blend or hysteresis reach",
+         [](auto& d) { d.detail_levels[2].to_m = 104; }},
+        {"objects[3].level is 3, but there are 3 detail_levels", [](auto& d) { d.objects[3].level = 3; }},
+        {"runs[4].level is -2, but there are 3 detail_levels", [](auto& d) { d.runs[4].level = -2; }},
+        {"runs[4] has another level of detail than the object of faces[4] (in the tree of lists[3])",
+         [](auto& d) { d.runs[4].level = 1; }},
+    });
+}
+
 } // namespace
 
 } // namespace linkdig::database

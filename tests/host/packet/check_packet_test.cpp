@@ -139,6 +139,7 @@ TEST(CheckPacket, Environment) {
         {"", [](auto& p) { p.database_id = 0; }}, // do not check
         {"time_s is not finite", [](auto& p) { p.time_s = nan; }},
         {"lod_bias is not finite", [](auto& p) { p.lod_bias = nan; }},
+        {"lod_bias is -16.5; expected -16 to 16", [](auto& p) { p.lod_bias = -16.5F; }},
         {"visibility_m is not finite", [](auto& p) { p.visibility_m = static_cast<float>(infinity); }},
         {"sky.y is 1.5; expected 0 to 1", [](auto& p) { p.sky.y = 1.5F; }},
         {"time_of_day_h is 25; expected 0 to 24", [](auto& p) { p.time_of_day_h = 25.0F; }},

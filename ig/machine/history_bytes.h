@@ -1,0 +1,21 @@
+#pragma once
+/// The machine's history as bytes: the first record of a recording (host/packet/recording.h), which holds it without
+/// knowing what it is.
+///
+/// All numbers little-endian, 32 bits each: version; number of details; the level held of each.
+
+#include "ig/active/history.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace linkdig::ig {
+
+std::vector<std::uint8_t> encode_history(const History& history);
+
+/// No bytes are the history of a machine that has drawn nothing. Nothing if the bytes are no history of this version.
+std::optional<History> decode_history(std::span<const std::uint8_t> bytes);
+
+} // namespace linkdig::ig
