@@ -20,6 +20,15 @@ struct Raster {
     bool operator==(const Raster&) const = default;
 };
 
+/// What the machine takes of one frame; 0: whatever comes. Beyond a limit the frame is completed all the same, and the
+/// frames after it are drawn with less detail (ig/active/shedding.h). What the machine of 1979 took is not known: no
+/// profile sets a limit.
+struct Capacity {
+    std::uint64_t edges = 0;               ///< of all channels together
+    std::uint64_t crossings_on_a_line = 0; ///< edges that span one line, seen or hidden
+    bool limited() const { return edges != 0 || crossings_on_a_line != 0; }
+};
+
 struct Configuration {
     const char* name = "modern";
     Raster raster{};
@@ -29,6 +38,7 @@ struct Configuration {
     std::uint32_t pipeline_updates = 0;
     /// Pixels that an edge crosses show each face by its share of their area.
     bool edge_smoothing = false;
+    Capacity capacity{};
     /// Threads that draw bands; 0: as many as the machine has. The picture does not depend on it.
     std::uint32_t threads = 0;
 };

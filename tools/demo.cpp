@@ -2,6 +2,7 @@
 
 #include "tools/film/film.h"
 #include "tools/flight/arguments.h"
+#include "tools/flight/capacity_options.h"
 #include "tools/flight/dump.h"
 #include "tools/flight/flight.h"
 #include "tools/flight/progress.h"
@@ -33,6 +34,7 @@ struct DemoOptions {
     std::string out = "out/approach";
     std::uint32_t threads = 0;
     std::optional<std::uint64_t> seed;
+    ig::Capacity capacity;
 };
 
 constexpr double headless_rate_hz = 30.0;
@@ -44,6 +46,7 @@ FlightRequest request_of(const DemoOptions& options, bool headless) {
     request.seed = options.seed;
     request.configuration =
         configuration_of(options.profile, options.size, std::nullopt, options.threads, options.no_smoothing);
+    request.configuration.capacity = options.capacity;
     const double rate_hz = headless ? headless_rate_hz : request.configuration.update_rate_hz;
     request.configuration.update_rate_hz = options.frames_per_second.value_or(rate_hz);
     return request;
@@ -57,6 +60,7 @@ void summarise(const Flight& flight, std::uint64_t overruns) {
                "at most {} edges in a frame\n",
                costs.frames, flight.loop().update_rate_hz(), mean_ms, 1000.0 * costs.worst_s, overruns,
                costs.most_edges);
+    print_overload(costs);
 }
 
 int fly_as_files(const DemoOptions& options) {
@@ -131,6 +135,7 @@ void add_demo(CLI::App& app, int& exit_code) {
     demo->add_option("--threads", options->threads,
                      "Threads of the image generator; 0: as many as the machine has")
         ->check(CLI::Range(0, 256));
+    add_capacity_options(*demo, options->capacity);
     demo->add_option("--seed", options->seed, "Seed of the flight; default: the scenario's");
     demo->footer(
         "In a window the keys are shown on the screen. Without a display, or with --headless, the flight is\n"

@@ -2,6 +2,7 @@
 
 #include "tools/flight/arguments.h"
 #include "tools/flight/bad_input.h"
+#include "tools/flight/capacity_options.h"
 #include "tools/flight/flight.h"
 #include "tools/flight/planes.h"
 #include "tools/flight/progress.h"
@@ -30,6 +31,7 @@ struct RenderOptions {
     bool no_smoothing = false;
     double frames_per_second = 30.0;
     std::uint32_t threads = 0;
+    ig::Capacity capacity;
 };
 
 FlightRequest request_of(const RenderOptions& options) {
@@ -37,6 +39,7 @@ FlightRequest request_of(const RenderOptions& options) {
     request.scenario_path = options.scenario;
     request.configuration = configuration_of(options.profile, options.size, options.frames_per_second,
                                              options.threads, options.no_smoothing);
+    request.configuration.capacity = options.capacity;
     return request;
 }
 
@@ -67,6 +70,7 @@ int run(const RenderOptions& options) {
         progress.at(frame - range.first + 1);
     }
     progress.finish();
+    print_overload(flight.costs());
     return ExitCode::done;
 }
 
@@ -81,7 +85,8 @@ void add_render(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     render->add_option("--channel", options->channel, "Channel of the scenario, from 0")
         ->capture_default_str();
-    render->add_option("--planes", options->planes, "Some of colour,intensity,rank,list,object,face")
+    render
+        ->add_option("--planes", options->planes, "Some of colour,intensity,rank,list,object,face,edges,flat")
         ->capture_default_str();
     render->add_option("--out", options->out, "Folder of the files")->capture_default_str();
     render->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
@@ -97,8 +102,11 @@ void add_render(CLI::App& app, int& exit_code) {
         ->add_option("--threads", options->threads,
                      "Threads of the image generator; 0: as many as the machine has")
         ->check(CLI::Range(0, 256));
+    add_capacity_options(*render, options->capacity);
     render->footer(
-        "colour is PNG, all other planes are OpenEXR: intensity as 32-bit floats 0 to 1, the rest as 32-bit\n"
+        "colour, edges (the borders of what is seen over it) and flat (each face in one colour) are PNG, the "
+        "other\n"
+        "planes OpenEXR: intensity as 32-bit floats 0 to 1, the rest as 32-bit\n"
         "numbers (rank on the channel; indices into the database's lists, objects and faces), 4294967295\n"
         "where no face is seen, 4294967294 for a face that the machine made itself (the sea's copies).\n"
         "Example:\n  linkdig render database/scenes/first_flight/approach.toml --frames 10:20 "

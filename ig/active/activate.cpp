@@ -2,6 +2,7 @@
 
 #include "ig/active/detail_levels.h"
 #include "ig/active/repeated_tile.h"
+#include "ig/active/shedding.h"
 
 #include <algorithm>
 
@@ -95,6 +96,8 @@ void activate(const VisualDatabase& database, const FramePacket& packet, const C
         active.blocks.push_back(block);
     }
     settle_made_faces(active);
+    if (configuration.capacity.limited())
+        shed_objects(database, packet, configuration.raster, history.load.step, active);
 }
 
 } // namespace linkdig::ig

@@ -1,6 +1,7 @@
 #include "ig/active/detail_levels.h"
 
 #include "database/model/mathematics.h"
+#include "ig/active/shedding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,22 +63,35 @@ std::uint16_t blended_opacity(const VisualDatabase& database, const Detail& deta
     return std::min(leaving, coming);
 }
 
+double biased_range_m(double range_m, double bias) {
+    constexpr double logarithm_of_2 = 0.69314718055994530942;
+    return bias == 0.0 ? range_m : range_m * exponential(-bias * logarithm_of_2);
+}
+
+void level_opacities(const VisualDatabase& database, const Detail& detail, double range_m, std::uint32_t held,
+                     std::span<std::uint16_t> opacities) {
+    for (std::uint32_t k = 0; k < detail.levels; ++k)
+        opacities[k] = opacity_of(database, detail, range_m, held, k);
+}
+
 void choose_levels(const VisualDatabase& database, const FramePacket& packet, History& history,
                    ActiveDatabase& active) {
     active.level_opacity.assign(database.detail_levels.size(), 0);
-    if (packet.discontinuity) history.held_level.clear();
+    active.detail_range_m.assign(database.details.size(), 0.0);
+    if (packet.discontinuity) history = History{};
     if (history.held_level.size() != database.details.size())
         history.held_level.assign(database.details.size(), ~0U);
-    const double nearer = exponential(-static_cast<double>(packet.lod_bias) * 0.69314718055994530942);
+    const double bias = static_cast<double>(packet.lod_bias) + bias_at_step(history.load.step);
     for (std::size_t d = 0; d < database.details.size(); ++d) {
         const Detail& detail = database.details[d];
         const ClusterPose& pose = active.poses[detail.cluster];
         const Vec3d reference = pose.body_origin_m + pose.world_from_body * detail.reference_m;
-        const double range_m = nearest_eye_m(packet, reference) * nearer;
+        active.detail_range_m[d] = nearest_eye_m(packet, reference);
+        const double range_m = biased_range_m(active.detail_range_m[d], bias);
         std::uint32_t& held = history.held_level[d];
         if (std::isfinite(range_m)) held = level_at(database, detail, range_m, held);
-        for (std::uint32_t k = 0; k < detail.levels; ++k)
-            active.level_opacity[detail.first_level + k] = opacity_of(database, detail, range_m, held, k);
+        level_opacities(database, detail, range_m, held,
+                        std::span(active.level_opacity).subspan(detail.first_level, detail.levels));
     }
 }
 

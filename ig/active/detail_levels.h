@@ -9,15 +9,24 @@
 #include "ig/active/face_block.h"
 #include "ig/active/history.h"
 
+#include <span>
+
 namespace linkdig::ig {
 
 /// How much of a level is seen, of 256: 0 is absent, 256 wholly present.
 inline constexpr std::uint16_t whole_level = 256;
 
-/// Fills `active.level_opacity` from the clusters' poses, and brings `history.held_level` up to this frame. Without an eye
-/// every detail keeps to what it held.
+/// Fills `active.level_opacity` and `detail_range_m` from the clusters' poses, and brings `history.held_level` up to this
+/// frame. Without an eye every detail keeps to what it held.
 void choose_levels(const VisualDatabase& database, const FramePacket& packet, History& history,
                    ActiveDatabase& active);
+
+/// A range under a bias b: 2^-b of it, exact where there is no bias.
+double biased_range_m(double range_m, double bias);
+
+/// Opacities of a detail's levels at a (biased) range, given the level held.
+void level_opacities(const VisualDatabase& database, const Detail& detail, double range_m, std::uint32_t held,
+                     std::span<std::uint16_t> opacities);
 
 /// The level whose range it is, given the one held (`levels` or more: none held): it is left where the range is more than
 /// half the hysteresis beyond its ends. Returns `levels` beyond the last.

@@ -43,6 +43,13 @@ struct ClusterPose {
     Vec3d waterline_origin_m{0};
 };
 
+/// What an object costs, and how large it is: its bounding sphere in its list's frame (radius negative: never small).
+struct ObjectWorth {
+    Vec3f centre{0};
+    float radius = -1;
+    std::uint32_t edges = 0; ///< not fewer than its faces have on one channel
+};
+
 /// What exists this frame. Shared by all channels.
 struct ActiveDatabase {
     const VisualDatabase* database = nullptr;
@@ -53,6 +60,15 @@ struct ActiveDatabase {
 
     std::vector<std::uint16_t>
         level_opacity; ///< parallel to VisualDatabase::detail_levels: of 256; 0 is absent
+
+    /// Only where the machine has limits, else empty: see shedding.h.
+    std::vector<ObjectWorth> object_worth; ///< parallel to VisualDatabase::objects, as the next two
+    std::vector<double>
+        object_px; ///< how large each looks, on the channel where it looks largest; 0 out of sight
+    std::vector<std::uint8_t> object_shed; ///< 1: left out
+    std::vector<double>
+        detail_range_m; ///< parallel to VisualDatabase::details: of the nearest eye, without bias
+    std::vector<std::int32_t> block_of_list; ///< parallel to VisualDatabase::lists
 
     /// Storage of the faces made this frame. Capacities persist from frame to frame.
     std::vector<Vertex> made_vertices;

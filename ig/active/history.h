@@ -7,10 +7,19 @@
 
 namespace linkdig::ig {
 
+/// How much detail overload has taken away (ig/active/shedding.h), and what the machine waits for.
+struct LoadState {
+    std::uint32_t step = 0; ///< of the shedding order
+    std::uint32_t calm = 0; ///< frames in a row that would bear one step less
+    std::uint32_t over = 0; ///< frames in a row beyond a limit
+    bool operator==(const LoadState&) const = default;
+};
+
 struct History {
     /// Parallel to VisualDatabase::details: the level that hysteresis holds on to; the detail's number of levels stands
     /// for nothing, beyond the last. Empty: no frame yet, or the scene jumped; ranges alone decide then.
-    std::vector<std::uint32_t> held_level;
+    std::vector<std::uint32_t> held_level{};
+    LoadState load{};
     bool operator==(const History&) const = default;
 };
 

@@ -136,6 +136,7 @@ private:
 
     void put_face(std::uint32_t f) {
         const Face& face = block_->faces[f];
+        if (!active_.object_shed.empty() && active_.object_shed[face.object] != 0) return;
         face_index_ = f;
         two_sided_ = face.two_sided != 0;
         opacity_ = face.opacity;

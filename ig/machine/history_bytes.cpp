@@ -1,5 +1,7 @@
 #include "ig/machine/history_bytes.h"
 
+#include "ig/active/shedding.h"
+
 namespace linkdig::ig {
 
 namespace {
@@ -35,6 +37,8 @@ std::vector<std::uint8_t> encode_history(const History& history) {
     put(static_cast<std::uint32_t>(history.held_level.size()), bytes);
     for (const std::uint32_t level : history.held_level)
         put(level, bytes);
+    for (const std::uint32_t number : {history.load.step, history.load.calm, history.load.over})
+        put(number, bytes);
     return bytes;
 }
 
@@ -47,6 +51,10 @@ std::optional<History> decode_history(std::span<const std::uint8_t> bytes) {
     History history;
     for (std::uint32_t d = 0; d < details; ++d)
         history.held_level.push_back(reading.next());
+    history.load.step = reading.next();
+    history.load.calm = reading.next();
+    history.load.over = reading.next();
+    if (history.load.step > most_steps) return std::nullopt;
     if (!reading.whole || !reading.bytes.empty()) return std::nullopt;
     return history;
 }

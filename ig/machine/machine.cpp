@@ -2,8 +2,10 @@
 
 #include "host/packet/check_packet.h"
 #include "ig/active/activate.h"
+#include "ig/active/shedding.h"
 #include "ig/edges/edges.h"
 #include "ig/geometry/project.h"
+#include "ig/machine/load.h"
 #include "ig/priority/prioritise.h"
 #include "ig/scanline/bands.h"
 #include "ig/scanline/scanline.h"
@@ -47,6 +49,7 @@ struct Channel {
     Bands bands;
     Air air;
     std::vector<BandCounts> counts;
+    std::vector<std::int64_t> on_line;
     VideoFrame picture;
 };
 
@@ -108,7 +111,9 @@ struct Machine::State {
         : database(visual_database), configuration(built_as), limits(packet_limits(visual_database)),
           parallelism(tbb::global_control::max_allowed_parallelism,
                       std::max(threads_of(built_as), threads_of({}))),
-          arena(static_cast<int>(threads_of(built_as))), workers(threads_of(built_as)) {}
+          arena(static_cast<int>(threads_of(built_as))), workers(threads_of(built_as)) {
+        if (configuration.capacity.limited()) active.object_worth = object_worths(database);
+    }
 
     const VisualDatabase& database;
     Configuration configuration;
@@ -119,6 +124,7 @@ struct Machine::State {
     History history;
     ActiveDatabase active;
     std::vector<Channel> channels;
+    LoadCounts load;
     FrameReport report;
     bool intensity_plane = false;
     bool rank_plane = false;
@@ -128,9 +134,12 @@ struct Machine::State {
         activate(database, packet, configuration, history, active);
         channels.resize(packet.channels.size());
         report.channels.assign(packet.channels.size(), {});
+        clear_load();
         for (std::size_t c = 0; c < packet.channels.size(); ++c) {
             if (packet.channels[c].on) draw(packet, packet.channels[c], channels[c], report.channels[c]);
         }
+        if (configuration.capacity.limited())
+            report.overload = settle_load(database, packet, configuration.capacity, active, load, history);
     }
 
     void draw(const FramePacket& packet, const ChannelView& view, Channel& channel, ChannelReport& counts) {
@@ -146,6 +155,20 @@ struct Machine::State {
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
         draw_bands(packet, channel);
         tell(channel, counts);
+        counts.most_crossings_on_a_line = most_crossings(channel.edges, raster.lines(), channel.on_line);
+        if (configuration.capacity.limited()) add_load(channel, counts);
+    }
+
+    void clear_load() {
+        load.edges = load.crossings = load.channels = 0;
+        std::fill(load.object_edges.begin(), load.object_edges.end(), 0);
+    }
+
+    void add_load(const Channel& channel, const ChannelReport& counts) {
+        count_edges(active, channel.projected, channel.edges, load);
+        load.edges += counts.edges;
+        load.crossings = std::max(load.crossings, counts.most_crossings_on_a_line);
+        ++load.channels;
     }
 
     void draw_bands(const FramePacket& packet, Channel& channel) {
@@ -232,7 +255,12 @@ Machine::Source Machine::source(std::size_t channel, std::int32_t rank) const {
     const ProjectedFace& projected = faces[static_cast<std::size_t>(rank)];
     const FaceBlock& block = state_->active.blocks[projected.block];
     const Face& face = block.faces[projected.face];
-    return {.list = block.list, .object = face.object, .face = &face};
+    return {.list = block.list,
+            .object = face.object,
+            .face = &face,
+            .colour = projected.colour,
+            .flat_intensity =
+                face.shading == Shading::unshaded ? intensity_one : lit_intensity(block, face.normal)};
 }
 
 std::vector<Layer> Machine::explain(std::size_t channel, std::uint32_t column, std::uint32_t row) const {

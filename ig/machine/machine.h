@@ -42,6 +42,8 @@ public:
         std::uint32_t list = 0;
         std::uint32_t object = 0;
         const Face* face = nullptr;
+        std::uint16_t colour = 0;        ///< its colour code, of the packet if that sends one
+        std::int32_t flat_intensity = 0; ///< by the face's own normal, whatever its shading; 1.0 = 2^22
     };
     Source source(std::size_t channel, std::int32_t rank) const;
 

@@ -7,7 +7,8 @@
 namespace linkdig::ig {
 
 /// What else a frame can be dumped as.
-enum class Plane : std::uint8_t { colour, intensity, face, object, list, rank };
+/// `edges`: the picture under the borders of what is seen; `flat`: each face in one colour, by its own normal, without air.
+enum class Plane : std::uint8_t { colour, intensity, face, object, list, rank, edges, flat };
 
 /// One channel's picture as the viewer sees it: row by row from the top, left to right, whatever the scan.
 struct VideoFrame {

@@ -47,11 +47,12 @@ TEST(Arguments, Planes) {
     EXPECT_THAT(parse_planes("object"), testing::ElementsAre(ig::Plane::object));
     EXPECT_EQ(
         complaint([] { parse_planes("colour,depth"); }),
-        "there is no plane named 'depth'; expected some of colour, intensity, rank, list, object, face");
+        "there is no plane named 'depth'; expected some of colour, intensity, rank, list, object, face, "
+        "edges, flat");
     for (const char* wrong : {"", ",", "colour,", ",colour", "colour, rank", "Colour"})
         EXPECT_NE(complaint([&] { parse_planes(wrong); }), "") << wrong;
     for (const ig::Plane plane : {ig::Plane::colour, ig::Plane::intensity, ig::Plane::rank, ig::Plane::list,
-                                  ig::Plane::object, ig::Plane::face})
+                                  ig::Plane::object, ig::Plane::face, ig::Plane::edges, ig::Plane::flat})
         EXPECT_THAT(parse_planes(plane_name(plane)), testing::ElementsAre(plane));
 }
 

@@ -76,12 +76,60 @@ TEST_F(PlanesOfTheFlight, ColourIsColourCodeTimesIntensity) {
     }
 }
 
+TEST(Planes, EdgesAreDrawnWhereAnotherFaceBegins) {
+    ig::VideoFrame picture;
+    picture.width = 4;
+    picture.height = 2;
+    picture.pixels = {0xff101010U, 0xff101010U, 0xffe0e0e0U, 0xffe0e0e0U,
+                      0xff101010U, 0xff101010U, 0xffe0e0e0U, 0xffe0e0e0U};
+    picture.rank = {5, 5, 7, 7, 5, 5, 7, none};
+    const std::uint32_t white = 0xffffffffU, black = 0xff000000U;
+    EXPECT_EQ(edges_over(picture), (std::vector<std::uint32_t>{0xff101010U, white, 0xffe0e0e0U, black,
+                                                               0xff101010U, white, black, 0xffe0e0e0U}));
+}
+
+/// Flat colours are those of a machine whose smooth shading is switched off, where no edge is smoothed.
+TEST_F(PlanesOfTheFlight, FlatIsTheFlightWithoutSmoothShading) {
+    const VisualDatabase& database = flight_->database();
+    FramePacket packet = flight_->packet();
+    packet.visibility_m = 0;
+    std::vector<ListLighting> lighting;
+    for (std::uint32_t list = 0; list < database.lists.size(); ++list) {
+        const ObjectList& of = database.lists[list];
+        ListLighting row{.list = list, .sun = of.sun, .ambient = of.ambient, .diffuse = of.diffuse};
+        for (const ListLighting& sent : packet.lighting)
+            if (sent.list == list) row = sent;
+        row.method = ShadingMethod::no_smooth;
+        lighting.push_back(row);
+    }
+    ig::Configuration configuration;
+    configuration.raster = {.width = 160, .height = 120};
+    ig::Machine smooth(database, configuration), flat(database, configuration);
+    smooth.draw_planes(false, true);
+    smooth.frame(packet);
+    packet.lighting = lighting;
+    flat.frame(packet);
+    const std::vector<std::uint32_t> colours = flat_colours(database, smooth, 0);
+    std::size_t differing = 0, blended = 0;
+    for (std::size_t at = 0; at < colours.size(); ++at) {
+        const std::int32_t rank = smooth.picture(0).rank[at];
+        if (rank != none && smooth.source(0, rank).face->opacity < 256) {
+            ++blended;
+            continue;
+        }
+        differing += colours[at] != flat.picture(0).pixels[at] ? 1 : 0;
+    }
+    EXPECT_LE(differing, colours.size() / 200); // additive and semi-opaque neighbours
+    EXPECT_LT(blended, colours.size() / 2);
+}
+
 TEST_F(PlanesOfTheFlight, FilesAreNamedByPlaneAndFrame) {
     const TemporaryFolder folder;
-    for (const ig::Plane which : parse_planes("colour,intensity,rank,list,object,face"))
+    for (const ig::Plane which : parse_planes("colour,intensity,rank,list,object,face,edges,flat"))
         write_plane(which, flight_->database(), flight_->machine(), 0, folder.text(), 10);
-    for (const char* name : {"colour_000010.png", "intensity_000010.exr", "rank_000010.exr",
-                             "list_000010.exr", "object_000010.exr", "face_000010.exr"})
+    for (const char* name :
+         {"colour_000010.png", "intensity_000010.exr", "rank_000010.exr", "list_000010.exr",
+          "object_000010.exr", "face_000010.exr", "edges_000010.png", "flat_000010.png"})
         EXPECT_TRUE(std::filesystem::exists(folder.file(name))) << name;
     const auto input = OIIO::ImageInput::open(folder.file("face_000010.exr"));
     ASSERT_TRUE(input);

@@ -26,6 +26,9 @@ struct FlightCosts {
     double machine_s = 0.0;        ///< wall time inside the machine
     double worst_s = 0.0;          ///< of one frame
     std::uint64_t most_edges = 0;  ///< of one frame, all channels
+    std::uint64_t over_limit = 0;  ///< frames beyond a limit of the machine
+    std::uint64_t shed = 0;        ///< frames drawn with less detail
+    Overload worst;                ///< of the frame that was drawn with least
     std::uint64_t over_period = 0; ///< frames that took the machine longer than the update's period
 };
 

@@ -2,6 +2,7 @@
 
 #include "ig/geometry/projected_face.h"
 #include "ig/sink/image_file.h"
+#include "ig/video/pixel_run.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 
 namespace linkdig::tools {
 namespace {
@@ -22,6 +24,7 @@ constexpr std::array named_planes{
     NamedPlane{"colour", ig::Plane::colour}, NamedPlane{"intensity", ig::Plane::intensity},
     NamedPlane{"rank", ig::Plane::rank},     NamedPlane{"list", ig::Plane::list},
     NamedPlane{"object", ig::Plane::object}, NamedPlane{"face", ig::Plane::face},
+    NamedPlane{"edges", ig::Plane::edges},   NamedPlane{"flat", ig::Plane::flat},
 };
 
 ig::Plane plane_of(const std::string& name) {
@@ -90,12 +93,58 @@ std::vector<std::uint32_t> numbers(ig::Plane plane, const VisualDatabase& databa
     return values;
 }
 
+std::vector<std::uint32_t> edges_over(const ig::VideoFrame& picture) {
+    std::vector<std::uint32_t> pixels = picture.pixels;
+    const auto is_border = [&](std::size_t at, std::uint32_t column, std::uint32_t row) {
+        const std::int32_t rank = picture.rank[at];
+        return (column + 1 < picture.width && picture.rank[at + 1] != rank) ||
+               (row + 1 < picture.height && picture.rank[at + picture.width] != rank);
+    };
+    for (std::uint32_t row = 0; row < picture.height; ++row)
+        for (std::uint32_t column = 0; column < picture.width; ++column) {
+            const std::size_t at = std::size_t{row} * picture.width + column;
+            if (!is_border(at, column, row)) continue;
+            const std::uint32_t seen = pixels[at];
+            const bool dark = (seen & 255U) + 2 * (seen >> 8U & 255U) + (seen >> 16U & 255U) < 4 * 128;
+            pixels[at] = dark ? 0xffffffffU : 0xff000000U;
+        }
+    return pixels;
+}
+
+std::vector<std::uint32_t> flat_colours(const VisualDatabase& database, const ig::Machine& machine,
+                                        std::size_t channel) {
+    const ig::VideoFrame& picture = machine.picture(channel);
+    std::vector<std::uint32_t> pixels = picture.pixels;
+    for (std::size_t at = 0; at < pixels.size(); ++at) {
+        if (picture.rank[at] == none) continue; // the background keeps its colour
+        const ig::Machine::Source source = machine.source(channel, picture.rank[at]);
+        pixels[at] = ig::shade(database.colours[source.colour], source.flat_intensity);
+    }
+    return pixels;
+}
+
+namespace {
+
+void write_pixels(const std::string& path, const ig::VideoFrame& picture, std::vector<std::uint32_t> pixels) {
+    ig::VideoFrame shown;
+    shown.width = picture.width;
+    shown.height = picture.height;
+    shown.pixels = std::move(pixels);
+    ig::write_png(path, shown);
+}
+
+} // namespace
+
 void write_plane(ig::Plane plane, const VisualDatabase& database, const ig::Machine& machine,
                  std::size_t channel, const std::string& folder, std::uint64_t frame) {
     const ig::VideoFrame& picture = machine.picture(channel);
     const std::string stem = fmt::format("{}/{}_{:06}", folder, plane_name(plane), frame);
     if (plane == ig::Plane::colour)
         ig::write_png(stem + ".png", picture);
+    else if (plane == ig::Plane::edges)
+        write_pixels(stem + ".png", picture, edges_over(picture));
+    else if (plane == ig::Plane::flat)
+        write_pixels(stem + ".png", picture, flat_colours(database, machine, channel));
     else if (plane == ig::Plane::intensity)
         ig::write_exr(stem + ".exr", picture.width, picture.height, intensities(picture.intensity));
     else

@@ -16,7 +16,7 @@ inline constexpr std::uint32_t no_face = 0xFFFFFFFFU;
 /// it has no place in VisualDatabase::faces.
 inline constexpr std::uint32_t made_face = 0xFFFFFFFEU;
 
-/// The planes of a comma-separated list of colour, intensity, rank, list, object, face.
+/// The planes of a comma-separated list of colour, intensity, rank, list, object, face, edges, flat.
 /// Throws std::invalid_argument, naming the unknown word and the known ones.
 std::vector<ig::Plane> parse_planes(const std::string& names);
 const char* plane_name(ig::Plane plane);
@@ -28,6 +28,15 @@ std::vector<float> intensities(std::span<const std::int32_t> plane);
 /// vectors.
 std::vector<std::uint32_t> numbers(ig::Plane plane, const VisualDatabase& database,
                                    const ig::Machine& machine, std::size_t channel);
+
+/// The picture with the borders between the faces that are seen, white where it is dark and black where it is bright.
+/// Needs the rank plane, as the next does.
+std::vector<std::uint32_t> edges_over(const ig::VideoFrame& picture);
+
+/// Every face in one colour: its colour code x the intensity of its own normal, whatever its shading; without air and
+/// without smoothed edges.
+std::vector<std::uint32_t> flat_colours(const VisualDatabase& database, const ig::Machine& machine,
+                                        std::size_t channel);
 
 /// Writes a plane of a channel of the machine's last frame: FOLDER/colour_000010.png, FOLDER/rank_000010.exr
 /// ... Throws std::runtime_error, naming the file, if it cannot.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <utility>
 
 namespace linkdig::tools {
 namespace {
@@ -34,7 +35,7 @@ double sea_sun_elevation_deg(const VisualDatabase& database, const FramePacket& 
 std::vector<std::string> status_lines(const VisualDatabase& database, const FramePacket& packet,
                                       const FrameReport& report, const host::SignalValues& signals) {
     using host::Signal;
-    return {
+    std::vector<std::string> lines = {
         fmt::format("frame {:5}  {:6.2f} s  edges {:6}  overruns {}", packet.frame, packet.time_s,
                     edges_of(report), report.overruns),
         fmt::format("view {:5}  sea's sun {:2.0f} deg, x {:.2f}  smooth shading {}{}", view_name(signals),
@@ -42,6 +43,9 @@ std::vector<std::string> status_lines(const VisualDatabase& database, const Fram
                     signals.on(Signal::smooth_shading) ? "on " : "off",
                     signals.on(Signal::freeze) ? "  paused" : ""),
     };
+    for (std::string& line : overload_text(report.overload))
+        lines.push_back(std::move(line));
+    return lines;
 }
 
 } // namespace linkdig::tools
