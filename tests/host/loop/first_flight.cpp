@@ -7,9 +7,9 @@ namespace linkdig::host {
 NameDirectory first_flight_names() {
     NameDirectory names;
     names.database_id = 0x1234;
-    names.suns = {"world", "ocean", "sky"};
+    names.suns = {"world", "ocean", "sky", "churn"};
     names.moving_objects = {"launch", "lph2"};
-    names.slots = {{"bow_wake_starboard", 28}, {"flag", 3}, {"bow_wake_port", 28}};
+    names.slots = {{"lph2.bow_wake_starboard", 29}, {"flag", 3}, {"lph2.bow_wake_port", 29}};
     names.lists = {{"sea", 1, 0.35F, 0.65F}, {"sky", 2, 0.4F, 0.6F}, {"lph2.upper", 0, 0.45F, 0.55F}};
     return names;
 }

@@ -82,7 +82,7 @@ TEST(HostLoop, RefusesADatabaseWithoutItsNames) {
 TEST(HostLoop, TablesAreParallelToTheDatabase) {
     HostLoop loop = loop_at(30.0);
     const FramePacket& packet = loop.packet(0, {});
-    EXPECT_EQ(packet.suns.size(), 3U);
+    EXPECT_EQ(packet.suns.size(), 4U);
     EXPECT_EQ(packet.moving_objects.size(), 2U);
     EXPECT_FALSE(packet.moving_objects[0].visible) << "not in the scenario";
     EXPECT_TRUE(packet.moving_objects[lph2_row].visible);
@@ -317,11 +317,11 @@ TEST(HostLoop, PitchFactorAndVisibilityFactor) {
 /// At the first frame, in the middle and after a day, with every signal at each of its bounds.
 TEST(HostLoop, EveryPacketCanBeDrawn) {
     HostLoop loop = loop_at(30.0);
-    const PacketLimits limits{.suns = 3,
+    const PacketLimits limits{.suns = 4,
                               .moving_objects = 2,
                               .lists = 3,
                               .colours = 0,
-                              .alternatives = {28, 3, 28},
+                              .alternatives = {29, 3, 29},
                               .database_id = 0x1234};
     for (const std::uint64_t frame : {0ULL, 333ULL, 2592000ULL})
         for (const SignalDefinition& each : signal_directory())
