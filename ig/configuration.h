@@ -36,9 +36,13 @@ struct Configuration {
     /// Whole update periods between a packet and the first line of its picture. Modelled time: frame N of a dump is the
     /// picture of packet N, the delay belongs to display and report.
     std::uint32_t pipeline_updates = 0;
+    /// Fields that a picture is scanned out in: 2 with 2:1 interlace.
+    std::uint32_t fields = 1;
     /// Pixels that an edge crosses show each face by its share of their area.
     bool edge_smoothing = false;
     Capacity capacity{};
+    /// Light points drawn per channel; beyond it the nearest in priority stay.
+    std::size_t most_lights = ~std::size_t{0};
     /// Threads that draw bands; 0: as many as the machine has. The picture does not depend on it.
     std::uint32_t threads = 0;
 };
@@ -55,21 +59,29 @@ inline Configuration ames_profile() {
             .raster = {.width = 768, .height = 576, .scan = Scan::vertical},
             .update_rate_hz = 30.0,
             .pipeline_updates = 2,
+            .fields = 2,
             .edge_smoothing = true};
 }
 
-/// When a picture's lines are shown, counted from the packet.
-struct DisplayDelay {
+/// When a field's first and last line are shown, counted from the packet.
+struct FieldTimes {
     double first_line_s = 0.0;
-    double middle_line_s = 0.0;
     double last_line_s = 0.0;
 };
 
-/// Lines are scanned out evenly over one update, in two fields if the profile interlaces them.
-inline DisplayDelay display_delay(const Configuration& configuration) {
-    const double update_s = 1.0 / configuration.update_rate_hz;
-    const double first = configuration.pipeline_updates * update_s;
-    return {first, first + 0.5 * update_s, first + update_s};
+/// Both fields of an update show one packet: field f has lines f, f + fields, f + 2 fields ..., scanned out evenly, one
+/// field after the other over one update. A line is shown when the beam begins it.
+inline FieldTimes field_times(const Configuration& configuration, std::uint32_t field) {
+    const double field_s = 1.0 / (configuration.update_rate_hz * configuration.fields);
+    const double first = configuration.pipeline_updates / configuration.update_rate_hz + field * field_s;
+    const std::uint32_t lines = configuration.raster.lines();
+    const std::uint32_t lines_of_field = (lines + configuration.fields - 1 - field) / configuration.fields;
+    return {first, lines_of_field == 0 ? first : first + field_s * (lines_of_field - 1) / lines_of_field};
+}
+
+/// From a packet to the middle of the time for which its picture is scanned out.
+inline double mid_screen_delay_s(const Configuration& configuration) {
+    return (configuration.pipeline_updates + 0.5) / configuration.update_rate_hz;
 }
 
 /// Largest raster side, and so the bound of every fixed-point format below.

@@ -28,7 +28,7 @@ nlohmann::json as_json(const database::ListStatistics& list) {
             {"faces", list.faces},   {"faces_at_once", list.faces_at_once},
             {"edges", list.edges},   {"vertices", list.vertices},
             {"planes", list.planes}, {"splits", list.splits},
-            {"runs", list.runs}};
+            {"lights", list.lights}, {"runs", list.runs}};
 }
 
 std::string json_text(const database::CompileResult& result) {
@@ -44,12 +44,12 @@ std::string json_text(const database::CompileResult& result) {
 
 std::string line_text(const database::CompileResult& result) {
     const database::ListStatistics total = result.statistics.total();
-    return fmt::format(
-        "{}: {} faces ({} at most at once), {} edges, {} vertices, {} planes, {} faces cut, in {} lists and "
-        "{} clusters",
-        result.database->name, total.faces, total.faces_at_once, total.edges, total.vertices,
-        total.planes + result.statistics.priority_planes, total.splits, result.database->lists.size(),
-        result.database->clusters.size());
+    return fmt::format("{}: {} faces ({} at most at once), {} edges, {} vertices, {} light points, {} "
+                       "planes, {} faces cut, in {} lists and "
+                       "{} clusters",
+                       result.database->name, total.faces, total.faces_at_once, total.edges, total.vertices,
+                       total.lights, total.planes + result.statistics.priority_planes, total.splits,
+                       result.database->lists.size(), result.database->clusters.size());
 }
 
 int compile(const Arguments& arguments) {

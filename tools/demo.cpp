@@ -29,6 +29,7 @@ struct DemoOptions {
     std::optional<std::string> size;
     std::string profile = "modern";
     bool no_smoothing = false;
+    std::string display = "plain";
     std::optional<double> frames_per_second;
     bool headless = false;
     std::string out = "out/approach";
@@ -63,25 +64,33 @@ void summarise(const Flight& flight, std::uint64_t overruns) {
     print_overload(costs);
 }
 
+std::unique_ptr<RetroDisplay> display_of(const DemoOptions& options, const ig::Configuration& built_as) {
+    if (options.display != "retro") return nullptr;
+    return std::make_unique<RetroDisplay>(built_as.raster, built_as.fields);
+}
+
 int fly_as_files(const DemoOptions& options) {
     require_fonts();
     Flight flight(request_of(options, true));
     const ig::Configuration& built_as = flight.configuration();
     const ig::Raster& raster = built_as.raster;
+    const auto display = display_of(options, built_as);
+    const std::uint32_t fields = display ? display->fields() : 1;
     DumpRequest dump;
     dump.folder = options.out;
     dump.film_name = video_files() ? "approach" : "";
-    dump.frames = options.frames.value_or(flight.loop().frames());
-    dump.frames_per_second = static_cast<std::uint32_t>(std::lround(flight.loop().update_rate_hz()));
-    dump.width = raster.width;
-    dump.height = raster.height;
+    dump.frames = fields * options.frames.value_or(flight.loop().frames());
+    dump.frames_per_second = fields * static_cast<std::uint32_t>(std::lround(flight.loop().update_rate_hz()));
+    dump.width = display ? display->width() : raster.width;
+    dump.height = display ? display->height() : raster.height;
     dump.heading = fmt::format("linkdig demo: {}, {} frames, {} x {}, profile {}", flight.scenario().name,
                                dump.frames, raster.width, raster.height, built_as.name);
     dump.progress = stderr_is_terminal();
     const host::SignalValues as_the_scenario_says;
     dump_flight(dump, [&](std::uint64_t frame) -> const ig::VideoFrame& {
-        flight.draw(frame, as_the_scenario_says);
-        return flight.machine().picture(0);
+        if (frame % fields == 0) flight.draw(frame / fields, as_the_scenario_says);
+        const ig::VideoFrame& picture = flight.machine().picture(0);
+        return display ? display->show(picture, static_cast<std::uint32_t>(frame % fields)) : picture;
     });
     fmt::print("{}: frame_000000.png to frame_{:06}.png, {}contact.png\n", dump.folder, dump.frames - 1,
                dump.film_name.empty() ? "" : dump.film_name + ".mp4, ");
@@ -90,11 +99,12 @@ int fly_as_files(const DemoOptions& options) {
 }
 
 /// The window, or nothing if there is no display to open it on.
-std::unique_ptr<Window> window_for(const ig::Configuration& configuration) {
+std::unique_ptr<Window> window_for(const ig::Configuration& configuration, const RetroDisplay* display) {
     if (!display_present()) return nullptr;
     try {
-        return std::make_unique<Window>("linkdig demo", configuration.raster.width,
-                                        configuration.raster.height);
+        return std::make_unique<Window>("linkdig demo",
+                                        display ? display->width() : configuration.raster.width,
+                                        display ? display->height() : configuration.raster.height);
     } catch (const std::runtime_error& error) {
         fmt::print(stderr, "linkdig demo: {}; files are written instead\n", error.what());
         return nullptr;
@@ -103,10 +113,11 @@ std::unique_ptr<Window> window_for(const ig::Configuration& configuration) {
 
 int run(const DemoOptions& options) {
     const FlightRequest request = request_of(options, false);
-    const auto window = options.headless ? nullptr : window_for(request.configuration);
+    const auto display = display_of(options, request.configuration);
+    const auto window = options.headless ? nullptr : window_for(request.configuration, display.get());
     if (!window) return fly_as_files(options);
     Flight flight(request);
-    const FlyResult flown = fly(flight, *window, options.frames.value_or(0));
+    const FlyResult flown = fly(flight, *window, options.frames.value_or(0), display.get());
     summarise(flight, flown.overruns);
     return ExitCode::done;
 }
@@ -126,6 +137,10 @@ void add_demo(CLI::App& app, int& exit_code) {
                    "Show faces by pixel centres, without smoothed edges");
     demo->add_option("--profile", options->profile, "Machine profile")
         ->check(CLI::IsMember({"ames", "modern"}))
+        ->capture_default_str();
+    demo->add_option("--display", options->display,
+                     "plain, or retro: a monitor of the period, field by field, twice as large")
+        ->check(CLI::IsMember({"plain", "retro"}))
         ->capture_default_str();
     demo->add_option("--fps", options->frames_per_second,
                      "Updates a second; default: 30 headless, the profile's in a window")

@@ -1,5 +1,7 @@
 /// linkdig render: frames of a scenario as pictures, and as planes that explain them.
 
+#include "ig/sink/image_file.h"
+#include "tools/display/retro_display.h"
 #include "tools/flight/arguments.h"
 #include "tools/flight/bad_input.h"
 #include "tools/flight/capacity_options.h"
@@ -29,6 +31,7 @@ struct RenderOptions {
     std::optional<std::string> size;
     std::string profile = "modern";
     bool no_smoothing = false;
+    std::string display = "plain";
     double frames_per_second = 30.0;
     std::uint32_t threads = 0;
     ig::Capacity capacity;
@@ -49,6 +52,22 @@ void make_folder(const std::string& folder) {
     if (error) throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder, error.message()));
 }
 
+/// Writes a channel's picture as a camera sees it on a monitor of the period.
+class Photographer {
+public:
+    explicit Photographer(const ig::Configuration& built_as) : display_(built_as.raster, built_as.fields) {}
+
+    void take(const ig::VideoFrame& picture, const std::string& folder, std::uint64_t frame) {
+        for (; warm_up_ > 0; --warm_up_) // the first picture has stood there for a while
+            display_.photograph(picture);
+        ig::write_png(fmt::format("{}/colour_{:06}.png", folder, frame), display_.photograph(picture));
+    }
+
+private:
+    RetroDisplay display_;
+    int warm_up_ = 10;
+};
+
 int run(const RenderOptions& options) {
     const FrameRange range = parse_frames(options.frames);
     const std::vector<ig::Plane> planes = parse_planes(options.planes);
@@ -62,11 +81,16 @@ int run(const RenderOptions& options) {
         planes, [](ig::Plane plane) { return plane != ig::Plane::colour && plane != ig::Plane::intensity; });
     flight.machine().draw_planes(wanted(ig::Plane::intensity), numbers);
     make_folder(options.out);
+    std::optional<Photographer> photographer;
+    if (options.display == "retro") photographer.emplace(flight.configuration());
     Progress progress(stderr_is_terminal(), range.last - range.first + 1);
     for (std::uint64_t frame = range.first; frame <= range.last; ++frame) {
         flight.draw(frame, {});
         for (const ig::Plane plane : planes)
-            write_plane(plane, flight.database(), flight.machine(), options.channel, options.out, frame);
+            if (plane == ig::Plane::colour && photographer)
+                photographer->take(flight.machine().picture(options.channel), options.out, frame);
+            else
+                write_plane(plane, flight.database(), flight.machine(), options.channel, options.out, frame);
         progress.at(frame - range.first + 1);
     }
     progress.finish();
@@ -92,6 +116,11 @@ void add_render(CLI::App& app, int& exit_code) {
     render->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
     render->add_flag("--no-smoothing", options->no_smoothing,
                      "Show faces by pixel centres, without smoothed edges");
+    render
+        ->add_option("--display", options->display,
+                     "plain, or retro: the colour plane as photographed from a monitor of the period")
+        ->check(CLI::IsMember({"plain", "retro"}))
+        ->capture_default_str();
     render->add_option("--profile", options->profile, "Machine profile")
         ->check(CLI::IsMember({"ames", "modern"}))
         ->capture_default_str();

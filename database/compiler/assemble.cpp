@@ -97,13 +97,20 @@ private:
                 ++end;
             FaceRun run;
             run.first_face = static_cast<std::uint32_t>(database_.faces.size());
-            run.face_count = static_cast<std::uint32_t>(end - first);
+            run.first_light = static_cast<std::uint32_t>(database_.lights.size());
             run.slot = leaf[first].slot;
             run.alternative = leaf[first].alternative;
             run.level = level_number(parts_.registry, leaf[first].detail, leaf[first].level);
             bound_run(leaf, first, end, run);
-            for (std::size_t i = first; i < end; ++i)
-                add_face(leaf[i], ordered.sources[leaf[i].source], object_numbers);
+            for (std::size_t i = first; i < end; ++i) {
+                const FaceSource& source = ordered.sources[leaf[i].source];
+                if (source.is_light) {
+                    add_light(source, run, object_numbers);
+                } else {
+                    add_face(leaf[i], source, object_numbers);
+                    ++run.face_count;
+                }
+            }
             database_.runs.push_back(run);
             present_.add(run.slot, run.alternative, run.level, run.face_count);
             ++made.run_count;
@@ -142,6 +149,15 @@ private:
         const auto code = [](double level) { return static_cast<std::uint8_t>(std::floor(level + 0.5)); };
         database_.corner_colours.push_back(
             {code(corner.colour.x), code(corner.colour.y), code(corner.colour.z), 0});
+    }
+
+    void add_light(const FaceSource& source, FaceRun& run, const std::vector<std::uint32_t>& object_numbers) {
+        LightPoint light = parts_.objects[source.object].lights[source.face].point;
+        light.place = run.face_count;
+        light.object = object_numbers[source.object];
+        database_.lights.push_back(light);
+        ++run.light_count;
+        ++statistics_.lights;
     }
 
     std::uint32_t vertex(const OrderCorner& corner) {

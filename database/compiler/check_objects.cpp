@@ -59,6 +59,14 @@ bool check_vertices(const ModelObject& object, const Reading& reading) {
         good = false;
         break; // one tells enough: a repeated primitive would tell thousands
     }
+    for (const ModelLight& light : object.lights) {
+        const Vec3f size = glm::abs(light.point.position);
+        if (static_cast<double>(std::max({size.x, size.y, size.z})) <= largest_coordinate_m) continue;
+        reading.error(light.at, fmt::format("a light of object \"{}\" lies beyond {:.0f} m; expected less",
+                                            object.name, largest_coordinate_m));
+        good = false;
+        break;
+    }
     return good;
 }
 
@@ -90,6 +98,7 @@ void check_faces(std::vector<ModelObject>& objects, const Reading& reading) {
     for (ModelObject& object : objects) {
         if (!check_vertices(object, reading)) {
             object.faces.clear();
+            object.lights.clear();
             continue;
         }
         std::vector<ModelFace> good;

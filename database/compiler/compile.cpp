@@ -15,6 +15,7 @@ ListStatistics CompileStatistics::total() const {
         sum.vertices += list.vertices;
         sum.planes += list.planes;
         sum.splits += list.splits;
+        sum.lights += list.lights;
         sum.runs += list.runs;
     }
     return sum;

@@ -21,6 +21,7 @@ struct ListStatistics {
     std::uint32_t vertices = 0;
     std::uint32_t planes = 0; ///< nodes of the list's tree
     std::uint32_t splits = 0; ///< times that a plane cut a face in two
+    std::uint32_t lights = 0; ///< light points
     std::uint32_t runs = 0;
 };
 

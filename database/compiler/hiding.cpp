@@ -105,6 +105,21 @@ Relation relation_of_levels(const OrderFace& a, const OrderFace& b) {
     return a.level < b.level ? Relation::first_hides : Relation::second_hides;
 }
 
+/// A light point must come after what hides it, and before what it is seen against.
+Relation relation_of_light(const OrderFace& light, const OrderFace& face) {
+    if (face.at_infinity) return Relation::first_hides;
+    const Sides face_of_light =
+        light.directed ? sides_of(face, light.plane, light.tolerance) : Sides{true, true};
+    const double side = side_of(face.plane, light.corners.front().position);
+    const bool behind = side < -face.tolerance;
+    const bool before = side > face.tolerance;
+    const bool hidden = face_of_light.front && (behind || (face.two_sided && before));
+    const bool against = (face_of_light.back || !face_of_light.front) && (!behind || face.two_sided);
+    if (hidden && against) return Relation::both_hide;
+    if (hidden) return Relation::second_hides;
+    return against ? Relation::first_hides : Relation::none;
+}
+
 } // namespace
 
 Relation relation(const OrderFace& a, const OrderFace& b) {
@@ -112,6 +127,14 @@ Relation relation(const OrderFace& a, const OrderFace& b) {
     if (a.source == b.source) return Relation::none; // parts of one face
     if (a.detail != none && a.detail == b.detail && a.level != b.level && a.levels != Levels::added)
         return relation_of_levels(a, b);
+    if (a.is_light && b.is_light) return Relation::none;
+    if (a.is_light) return relation_of_light(a, b);
+    if (b.is_light) {
+        const Relation mirrored = relation_of_light(b, a);
+        return mirrored == Relation::first_hides    ? Relation::second_hides
+               : mirrored == Relation::second_hides ? Relation::first_hides
+                                                    : mirrored;
+    }
     const Sides b_of_a = sides_against(b, a);
     const Sides a_of_b = sides_against(a, b);
     const bool a_before = a_of_b.front || (b.two_sided && a_of_b.back);

@@ -41,6 +41,11 @@ struct ModelFace {
     bool at_infinity = false; ///< all its corners are directions; plane.normal points at the eye
 };
 
+struct ModelLight {
+    LightPoint point; ///< `place` and `object` are not known yet
+    Place at;
+};
+
 struct ModelObject {
     std::string name;
     std::uint32_t list = 0;
@@ -51,6 +56,7 @@ struct ModelObject {
     bool resolved = false;      ///< everything that it names is known
     std::vector<ModelVertex> vertices;
     std::vector<ModelFace> faces;
+    std::vector<ModelLight> lights;
     Place at;
 };
 

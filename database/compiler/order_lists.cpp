@@ -20,6 +20,13 @@ Levels levels_of(const Detail& detail) {
     return detail.blend_m > 0 ? Levels::blended : Levels::one_by_one;
 }
 
+void place_in_detail(const ModelObject& object, const Registry& registry, OrderFace& face) {
+    face.detail = object.detail;
+    face.level = object.level;
+    if (object.detail != none)
+        face.levels = levels_of(registry.authored_details[static_cast<std::size_t>(object.detail)].detail);
+}
+
 OrderFace order_face(const ModelObject& object, const ModelFace& face, std::uint32_t source,
                      const Registry& registry) {
     OrderFace result;
@@ -44,11 +51,25 @@ OrderFace order_face(const ModelObject& object, const ModelFace& face, std::uint
     result.layer = face.style.layer;
     result.slot = object.slot;
     result.alternative = object.alternative;
-    result.detail = object.detail;
-    result.level = object.level;
-    if (object.detail != none)
-        result.levels = levels_of(registry.authored_details[static_cast<std::size_t>(object.detail)].detail);
+    place_in_detail(object, registry, result);
     result.source = source;
+    return result;
+}
+
+OrderFace order_light(const ModelObject& object, const ModelLight& light, std::uint32_t source,
+                      const Registry& registry) {
+    OrderFace result;
+    const Vec3d position(light.point.position);
+    result.corners.push_back({Vec4d(position, 1.0), {0, 0, 1}, 0});
+    result.is_light = true;
+    result.directed = light.point.beam == LightBeam::one_way;
+    result.plane.normal = Vec3d(light.point.direction);
+    result.plane.distance = glm::dot(result.plane.normal, position);
+    result.tolerance = std::max(plane_tolerance_m, coordinate_error * glm::length(position));
+    result.slot = object.slot;
+    result.alternative = object.alternative;
+    result.source = source;
+    place_in_detail(object, registry, result);
     return result;
 }
 
@@ -63,17 +84,18 @@ public:
             const auto& [a, b] = pairs[i];
             std::string message = fmt::format(
                 "{}: this one of object \"{}\" and that of object \"{}\" in {}:{}; {}", what, object(b).name,
-                object(a).name, reading_.sources->files[face(a).at.file].path, face(a).at.line, expected);
+                object(a).name, reading_.sources->files[place(a).file].path, place(a).line, expected);
             if (i + 1 == most_pairs_told && pairs.size() > most_pairs_told)
                 message += fmt::format(" (and {} more pairs of this list)", pairs.size() - most_pairs_told);
-            reading_.error(face(b).at, std::move(message));
+            reading_.error(place(b), std::move(message));
         }
     }
 
 private:
     const ModelObject& object(std::uint32_t source) const { return objects_[list_.sources[source].object]; }
-    const ModelFace& face(std::uint32_t source) const {
-        return object(source).faces[list_.sources[source].face];
+    Place place(std::uint32_t source) const {
+        const FaceSource& from = list_.sources[source];
+        return from.is_light ? object(source).lights[from.face].at : object(source).faces[from.face].at;
     }
     const std::vector<ModelObject>& objects_;
     const OrderedList& list_;
@@ -93,6 +115,12 @@ std::vector<OrderedList> order_lists(const std::vector<ModelObject>& objects, co
                                                         static_cast<std::uint32_t>(list.sources.size()),
                                                         *reading.registry));
             list.sources.push_back({o, f});
+        }
+        for (std::uint32_t l = 0; l < objects[o].lights.size(); ++l) {
+            faces[objects[o].list].push_back(order_light(objects[o], objects[o].lights[l],
+                                                         static_cast<std::uint32_t>(list.sources.size()),
+                                                         *reading.registry));
+            list.sources.push_back({o, l, true});
         }
     }
     for (std::size_t i = 0; i < lists.size(); ++i) {

@@ -8,10 +8,11 @@
 
 namespace linkdig::database {
 
-/// Where a face of FaceOrder (its `source`) came from.
+/// Where a face or a light point of FaceOrder (its `source`) came from.
 struct FaceSource {
     std::uint32_t object = 0; ///< into the objects
-    std::uint32_t face = 0;   ///< into the object's faces
+    std::uint32_t face = 0;   ///< into the object's faces, or its lights
+    bool is_light = false;
 };
 
 struct OrderedList {

@@ -42,6 +42,10 @@ struct OrderFace {
     bool two_sided = false;
     bool interpolates = false; ///< its corners' normals matter
     bool coloured = false;     ///< its corners' colours matter
+    /// A light point: one corner; it hides nothing, and what stands in its own plane is behind it. Directed: seen
+    /// only from the front of `plane`.
+    bool is_light = false;
+    bool directed = false;
     std::int32_t layer = 0;
     std::int32_t slot = none;
     std::uint32_t alternative = 0;

@@ -1,5 +1,6 @@
 #include "database/compiler/model_object.h"
 #include "database/compiler/primitives.h"
+#include "database/compiler/read_lights.h"
 #include "database/model/units.h"
 
 #include <fmt/format.h>
@@ -102,6 +103,14 @@ void add_mirror_image(ModelObject& object) {
         if (face.light_normal) face.light_normal->y = -face.light_normal->y;
         object.faces.push_back(std::move(face));
     }
+    const std::size_t lights = object.lights.size();
+    for (std::size_t i = 0; i < lights; ++i) {
+        ModelLight light = object.lights[i];
+        if (light.point.position.y == 0.0F) continue; // one that stands on the plane is its own image
+        for (Vec3f* vector : {&light.point.position, &light.point.direction, &light.point.side})
+            vector->y = -vector->y;
+        object.lights.push_back(light);
+    }
 }
 
 namespace {
@@ -127,7 +136,8 @@ public:
         for (const toml::table* face : reader_.tables("face"))
             read_face(*face);
         read_primitives(reader_, table_.file, reading_, style_, object_);
-        if (object_.faces.empty() && object_.slot == none && reading_clean())
+        read_lights(reader_, table_.file, reading_, style_.colour, object_);
+        if (object_.faces.empty() && object_.lights.empty() && object_.slot == none && reading_clean())
             reading_.error(object_.at, fmt::format("{} has no faces; expected at least one", reader_.what()));
         if (mirrored) add_mirror_image(object_);
         reader_.finish();

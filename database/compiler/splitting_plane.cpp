@@ -110,7 +110,7 @@ std::optional<Plane> splitting_plane(std::span<const OrderFace> faces, double to
     Candidates candidates(faces, tolerance);
     const std::size_t face_step = 1 + faces.size() / (most_candidates / 2);
     for (std::size_t i = 0; i < faces.size(); i += face_step)
-        if (!faces[i].at_infinity)
+        if (!faces[i].at_infinity && !faces[i].is_light)
             candidates.offer(as_stored(faces[i].plane.normal, faces[i].plane.distance));
     for (int axis = 0; axis < 3; ++axis) {
         const std::vector<double> all = borders(faces, axis);
@@ -120,7 +120,7 @@ std::optional<Plane> splitting_plane(std::span<const OrderFace> faces, double to
     }
     if (!candidates.found() && face_step > 1) // the sample may have missed the one that helps
         for (const OrderFace& face : faces)
-            if (!face.at_infinity && !candidates.found())
+            if (!face.at_infinity && !face.is_light && !candidates.found())
                 candidates.offer(as_stored(face.plane.normal, face.plane.distance));
     return candidates.best();
 }

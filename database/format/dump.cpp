@@ -56,6 +56,7 @@ Json totals_json(const VisualDatabase& d) {
             {"faces", d.faces.size()},
             {"corners", d.corners.size()},
             {"vertices", d.vertices.size()},
+            {"lights", d.lights.size()},
             {"tiles", d.tiles.size()},
             {"tile_normals", d.tile_normals.size()}};
 }
@@ -63,6 +64,7 @@ Json totals_json(const VisualDatabase& d) {
 Json object_json(const VisualDatabase& d, const ObjectSummary& counts, std::uint32_t index) {
     const Object& object = d.objects[index];
     Json json = {{"name", object.name}, {"faces", counts.faces}, {"corners", counts.corners}};
+    if (counts.lights != 0) json["lights"] = counts.lights;
     if (object.slot != none) {
         json["slot"] = d.slots[static_cast<std::size_t>(object.slot)].name;
         json["alternative"] = object.alternative;
@@ -106,6 +108,7 @@ Json list_json(const VisualDatabase& d, const DatabaseSummary& summary, std::siz
                  {"faces", counts.faces},
                  {"smooth_faces", counts.smooth_faces},
                  {"corners", counts.corners},
+                 {"lights", counts.lights},
                  {"faces_at_most", counts.faces_at_most},
                  {"runs", counts.runs},
                  {"leaves", counts.leaves},
@@ -187,22 +190,23 @@ std::string dump_json(const VisualDatabase& database, std::uint64_t id) {
 
 std::string dump_text(const VisualDatabase& database, std::uint64_t id) {
     const DatabaseSummary summary = summarise(database);
-    std::string text = fmt::format("{} (id {:016x}): {} faces, {} vertices, {} planes, {} colours\n",
-                                   database.name, id, database.faces.size(), database.vertices.size(),
-                                   database.planes.size(), database.colours.size());
+    std::string text =
+        fmt::format("{} (id {:016x}): {} faces, {} vertices, {} light points, {} planes, {} colours\n",
+                    database.name, id, database.faces.size(), database.vertices.size(),
+                    database.lights.size(), database.planes.size(), database.colours.size());
     const auto out = std::back_inserter(text);
     for (const SubstitutionSlot& slot : database.slots)
         fmt::format_to(out, "slot {}: {} alternatives\n", slot.name, slot.alternatives);
     for (const Detail& detail : database.details)
         text += detail_text(database, summary, detail);
-    fmt::format_to(out, "{:<24} {:<16} {:<10} {:>7} {:>8} {:>7} {:>6}  {}\n", "list", "cluster", "frame",
-                   "faces", "at most", "planes", "depth", "extent");
+    fmt::format_to(out, "{:<24} {:<16} {:<10} {:>7} {:>8} {:>7} {:>7} {:>6}  {}\n", "list", "cluster",
+                   "frame", "faces", "at most", "lights", "planes", "depth", "extent");
     for (std::size_t i = 0; i < database.lists.size(); ++i) {
         const ObjectList& list = database.lists[i];
         const ListSummary& counts = summary.lists[i];
-        fmt::format_to(out, "{:<24} {:<16} {:<10} {:>7} {:>8} {:>7} {:>6}  {}\n", list.name,
+        fmt::format_to(out, "{:<24} {:<16} {:<10} {:>7} {:>8} {:>7} {:>7} {:>6}  {}\n", list.name,
                        database.clusters[list.cluster].name, name_of(list.attachment), counts.faces,
-                       counts.faces_at_most, counts.planes, counts.tree_depth,
+                       counts.faces_at_most, counts.lights, counts.planes, counts.tree_depth,
                        list.tile == none ? extent_text(counts) : "tile, to the horizon");
     }
     return text;

@@ -51,6 +51,7 @@ NameDirectory name_directory(const VisualDatabase& database, std::uint64_t id) {
     directory.suns = database.suns;
     directory.moving_objects = database.moving_objects;
     directory.colours = database.colour_names;
+    directory.colour_codes = database.colours;
     for (const SubstitutionSlot& slot : database.slots)
         directory.slots.push_back({slot.name, slot.alternatives});
     for (const ObjectList& list : database.lists)

@@ -34,6 +34,7 @@ struct NameDirectory {
     std::vector<Slot> slots;                 ///< Substitution::slot
     std::vector<List> lists;                 ///< ListLighting::list
     std::vector<std::string> colours;        ///< ListLighting::colour
+    std::vector<Colour> colour_codes;        ///< of those names: what FramePacket::colours starts from
     std::vector<std::string> clusters;
     bool operator==(const NameDirectory&) const = default;
 

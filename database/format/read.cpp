@@ -107,6 +107,7 @@ void copy_unnamed(const stored::VisualDatabase& from, VisualDatabase& to, Copier
     copier.numbers(*from.corners(), to.corners);
     copier.records(*from.corner_colours(), to.corner_colours, "corner_colours");
     copier.records(*from.vertices(), to.vertices, "vertices");
+    copier.records(*from.lights(), to.lights, "lights");
     copier.records(*from.tiles(), to.tiles, "tiles");
     copier.records(*from.tile_normals(), to.tile_normals, "tile_normals");
 }

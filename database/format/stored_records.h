@@ -50,11 +50,62 @@ inline Face from_stored(const stored::Face& f) {
 }
 
 inline stored::FaceRun to_stored(const FaceRun& r) {
-    return {r.first_face, r.face_count, r.slot, r.alternative, r.level, to_stored(r.centre), r.radius};
+    return {r.first_face,        r.face_count, r.slot,        r.alternative, r.level,
+            to_stored(r.centre), r.radius,     r.first_light, r.light_count};
 }
 inline FaceRun from_stored(const stored::FaceRun& r) {
-    return {r.first_face(), r.face_count(),          r.slot(),  r.alternative(),
-            r.level(),      from_stored(r.centre()), r.radius()};
+    return {.first_face = r.first_face(),
+            .face_count = r.face_count(),
+            .slot = r.slot(),
+            .alternative = r.alternative(),
+            .level = r.level(),
+            .centre = from_stored(r.centre()),
+            .radius = r.radius(),
+            .first_light = r.first_light(),
+            .light_count = r.light_count()};
+}
+
+inline stored::LightPoint to_stored(const LightPoint& l) {
+    return {to_stored(l.position),
+            to_stored(l.direction),
+            to_stored(l.side),
+            l.place,
+            l.across,
+            l.upward,
+            l.intensity,
+            l.size_m,
+            l.full_to_m,
+            l.flash_hz,
+            l.duty,
+            l.phase,
+            l.object,
+            l.line,
+            l.file,
+            l.colour,
+            l.back_colour,
+            static_cast<std::uint8_t>(l.beam),
+            static_cast<std::uint8_t>(l.fall_off)};
+}
+inline LightPoint from_stored(const stored::LightPoint& l) {
+    return {.position = from_stored(l.position()),
+            .place = l.place(),
+            .direction = from_stored(l.direction()),
+            .across = l.across(),
+            .side = from_stored(l.side()),
+            .upward = l.upward(),
+            .intensity = l.intensity(),
+            .size_m = l.size_m(),
+            .full_to_m = l.full_to_m(),
+            .flash_hz = l.flash_hz(),
+            .duty = l.duty(),
+            .phase = l.phase(),
+            .object = l.object(),
+            .line = l.line(),
+            .file = l.file(),
+            .colour = l.colour(),
+            .back_colour = l.back_colour(),
+            .beam = static_cast<LightBeam>(l.beam()),
+            .fall_off = static_cast<FallOff>(l.fall_off())};
 }
 
 inline stored::PlaneNode to_stored(const PlaneNode& n) {

@@ -38,6 +38,15 @@ void count_faces(const VisualDatabase& database, DatabaseSummary& summary) {
     }
 }
 
+void count_lights(const VisualDatabase& database, DatabaseSummary& summary) {
+    for (const LightPoint& light : database.lights) {
+        ++summary.objects[light.object].lights;
+        ListSummary& list = summary.lists[database.objects[light.object].list];
+        ++list.lights;
+        include_vertex({.position = Vec4f(light.position, 1.0F)}, list);
+    }
+}
+
 void count_leaf(const VisualDatabase& database, const RunLeaf& leaf, ListSummary& list, MostAtOnce& present) {
     ++list.leaves;
     list.runs += leaf.run_count;
@@ -105,6 +114,7 @@ DatabaseSummary summarise(const VisualDatabase& database) {
     summary.levels.resize(database.detail_levels.size());
     count_faces(database, summary);
     count_levels(database, summary);
+    count_lights(database, summary);
     for (std::size_t i = 0; i < database.lists.size(); ++i)
         walk_tree(database, database.lists[i].root, summary.lists[i]);
     return summary;

@@ -18,12 +18,14 @@ struct Extent {
 struct ObjectSummary {
     std::uint64_t faces = 0;
     std::uint64_t corners = 0;
+    std::uint64_t lights = 0; ///< light points
 };
 
 struct ListSummary {
     std::uint64_t faces = 0;
     std::uint64_t corners = 0;
     std::uint64_t smooth_faces = 0;
+    std::uint64_t lights = 0; ///< light points
     /// Most faces that can be present at once (database/model/most_at_once.h). A tile's faces not counted.
     std::uint64_t faces_at_most = 0;
     std::uint64_t runs = 0;

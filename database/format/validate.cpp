@@ -76,6 +76,8 @@ std::string check_runs(const VisualDatabase& database) {
         const FaceRun& run = database.runs[i];
         if (!span_fits(run.first_face, run.face_count, database.faces.size()))
             return out_of_range("runs", i, "first_face", run.first_face, database.faces.size(), "faces");
+        if (!span_fits(run.first_light, run.light_count, database.lights.size()))
+            return out_of_range("runs", i, "first_light", run.first_light, database.lights.size(), "lights");
         if (!none_or_below(run.slot, database.slots.size()))
             return out_of_range("runs", i, "slot", run.slot, database.slots.size(), "slots");
         if (run.slot != none &&
@@ -108,8 +110,8 @@ std::string check_planes(const VisualDatabase& database) {
 }
 
 std::string validate(const VisualDatabase& database) {
-    constexpr std::array checks = {check_names, check_owners, check_details, check_vertices, check_faces,
-                                   check_runs,  check_planes, check_tiles,   check_trees};
+    constexpr std::array checks = {check_names,  check_owners, check_details, check_vertices, check_faces,
+                                   check_lights, check_runs,   check_planes,  check_tiles,    check_trees};
     for (const auto& check : checks)
         if (std::string reason = check(database); !reason.empty()) return reason;
     return {};

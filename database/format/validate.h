@@ -19,6 +19,9 @@ inline constexpr std::uint32_t max_alternatives = 65535;
 inline constexpr std::uint32_t max_tree_depth =
     4096; ///< planes from a root to a leaf: trees may be walked recursively
 inline constexpr std::uint32_t max_detail_levels = 16; ///< of one detail
+inline constexpr double max_beam_steepness = 2e4;      ///< 1/tan^2 of a beam's half-angle of 0.4 degrees
+inline constexpr double max_light_intensity = 1000;    ///< pixels at full colour code
+inline constexpr double max_flash_hz = 1000;
 inline constexpr std::size_t max_name_bytes = 4096;
 inline constexpr double unit_tolerance = 1e-3; ///< of a unit vector's length
 

@@ -18,6 +18,7 @@ std::string check_details(const VisualDatabase& database);
 std::string check_vertices(const VisualDatabase& database);
 std::string check_faces(const VisualDatabase& database);
 std::string check_runs(const VisualDatabase& database);
+std::string check_lights(const VisualDatabase& database);
 std::string check_planes(const VisualDatabase& database);
 std::string check_tiles(const VisualDatabase& database);
 /// Last, for it follows indices that the others have found in range.

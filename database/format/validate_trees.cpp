@@ -31,7 +31,7 @@ public:
     explicit TreeCheck(const VisualDatabase& database)
         : d_(database), planes_(database.planes.size()), clusters_(database.clusters.size()),
           lists_(database.lists.size()), leaves_(database.run_leaves.size()), runs_(database.runs.size()),
-          faces_(database.faces.size()) {}
+          faces_(database.faces.size()), lights_(database.lights.size()) {}
 
     std::string run() {
         for (std::size_t i = 0; i < d_.groups.size() && reason_.empty(); ++i)
@@ -44,6 +44,7 @@ public:
         must_all_be_met(leaves_, "run_leaves", "no list's tree");
         must_all_be_met(runs_, "runs", "no leaf");
         must_all_be_met(faces_, "faces", "no run");
+        must_all_be_met(lights_, "lights", "no run");
         return reason_;
     }
 
@@ -122,20 +123,39 @@ private:
         const FaceRun& run = d_.runs[index];
         for (std::size_t i = 0; i < run.face_count && reason_.empty(); ++i)
             face(list, index, std::size_t{run.first_face} + i);
+        std::uint32_t before = 0;
+        for (std::size_t i = 0; i < run.light_count && reason_.empty(); ++i)
+            light(list, index, std::size_t{run.first_light} + i, before);
+    }
+
+    void light(std::size_t list, std::size_t run_index, std::size_t index, std::uint32_t& before) {
+        if (!lights_.first_time(index)) return refuse(fmt::format("lights[{}] stands in two runs", index));
+        const FaceRun& run = d_.runs[run_index];
+        const LightPoint& light = d_.lights[index];
+        if (light.place > run.face_count || light.place < before)
+            return refuse(fmt::format("lights[{}].place is {}; expected {} to {}, in ascending order", index,
+                                      light.place, before, run.face_count));
+        before = light.place;
+        check_owner("lights", index, light.object, list, run_index);
+    }
+
+    void check_owner(std::string_view things, std::size_t index, std::uint32_t object_index, std::size_t list,
+                     std::size_t run_index) {
+        const FaceRun& run = d_.runs[run_index];
+        const Object& object = d_.objects[object_index];
+        if (object.list != list)
+            return refuse(fmt::format("{}[{}] belongs to lists[{}]", things, index, object.list));
+        if (object.slot != run.slot || (run.slot != none && object.alternative != run.alternative))
+            return refuse(fmt::format("runs[{}] has another slot or alternative than the object of {}[{}]",
+                                      run_index, things, index));
+        if (object.level != run.level)
+            return refuse(fmt::format("runs[{}] has another level of detail than the object of {}[{}]",
+                                      run_index, things, index));
     }
 
     void face(std::size_t list, std::size_t run_index, std::size_t index) {
         if (!faces_.first_time(index)) return refuse(fmt::format("faces[{}] stands in two runs", index));
-        const FaceRun& run = d_.runs[run_index];
-        const Object& object = d_.objects[d_.faces[index].object];
-        if (object.list != list)
-            return refuse(fmt::format("faces[{}] belongs to lists[{}]", index, object.list));
-        if (object.slot != run.slot || (run.slot != none && object.alternative != run.alternative))
-            return refuse(fmt::format("runs[{}] has another slot or alternative than the object of faces[{}]",
-                                      run_index, index));
-        if (object.level != run.level)
-            return refuse(fmt::format("runs[{}] has another level of detail than the object of faces[{}]",
-                                      run_index, index));
+        check_owner("faces", index, d_.faces[index].object, list, run_index);
     }
 
     void must_all_be_met(const Once& things, std::string_view what, std::string_view where) {
@@ -146,7 +166,7 @@ private:
     void refuse(std::string why) { reason_ = std::move(why); }
 
     const VisualDatabase& d_;
-    Once planes_, clusters_, lists_, leaves_, runs_, faces_;
+    Once planes_, clusters_, lists_, leaves_, runs_, faces_, lights_;
     std::vector<Step> steps_;
     std::string reason_;
 };

@@ -67,8 +67,8 @@ std::uint64_t most_bytes(const VisualDatabase& d) {
            d.planes.size() * sizeof(stored::PlaneNode) + d.run_leaves.size() * sizeof(RunLeaf) +
            d.runs.size() * sizeof(stored::FaceRun) + d.faces.size() * sizeof(stored::Face) +
            d.corners.size() * sizeof(std::uint32_t) + d.corner_colours.size() * sizeof(stored::Colour) +
-           d.vertices.size() * sizeof(stored::Vertex) + d.tiles.size() * sizeof(stored::RepeatedTile) +
-           d.tile_normals.size() * sizeof(stored::Vec3);
+           d.vertices.size() * sizeof(stored::Vertex) + d.lights.size() * sizeof(stored::LightPoint) +
+           d.tiles.size() * sizeof(stored::RepeatedTile) + d.tile_normals.size() * sizeof(stored::Vec3);
 }
 
 /// One statement per field: the order of building is the order of bytes, and C++ does not fix that of
@@ -99,13 +99,14 @@ void build(Builder& builder, const VisualDatabase& d) {
     const auto corners = builder.CreateVector(d.corners);
     const auto corner_colours = stored_records(builder, d.corner_colours);
     const auto vertices = stored_records(builder, d.vertices);
+    const auto lights = stored_records(builder, d.lights);
     const auto tiles = stored_records(builder, d.tiles);
     const auto tile_normals = stored_records(builder, d.tile_normals);
     const auto root = stored::CreateVisualDatabase(
         builder, name, source_files, colours, colour_names, suns, moving_objects, slot_names,
         slot_alternatives, details, detail_names, detail_levels, groups, clusters, cluster_names, lists,
         list_names, objects, object_names, planes, run_leaves, runs, faces, corners, corner_colours, vertices,
-        tiles, tile_normals);
+        lights, tiles, tile_normals);
     stored::FinishVisualDatabaseBuffer(builder, root);
 }
 

@@ -78,16 +78,50 @@ struct Object {
     bool operator==(const Object&) const = default;
 };
 
+/// Which way a light point shines.
+enum class LightBeam : std::uint8_t { all_round, one_way, two_way };
+
+/// How a light point weakens with range r beyond full_to_m: not at all, as full_to_m / r, or as its square.
+enum class FallOff : std::uint8_t { flat, linear, square };
+
+/// A light point: it hides nothing, and its light is added to what is seen at its place. In a beam it is as bright as
+/// max(0, 1 - q/2), q = (a / tan A)^2 + (b / tan B)^2, a and b the tangents of the angles to the side and upwards off
+/// the beam's middle, A and B the half-angles at which half is left.
+struct LightPoint {
+    Vec3f position{0};             ///< metres, in the list's frame
+    std::uint32_t place = 0;       ///< faces of its run that it is behind; it is in front of the others
+    Vec3f direction{1, 0, 0};      ///< unit: the middle of the beam (two_way: of the first one)
+    float across = 0;              ///< 1 / tan^2 A
+    Vec3f side{0, 1, 0};           ///< unit, at right angles to `direction`: where a counts
+    float upward = 0;              ///< 1 / tan^2 B
+    float intensity = 1;           ///< the whole splat's light, in pixels at the full colour code
+    float size_m = 0;              ///< diameter; 0: never more than a point
+    float full_to_m = 0;           ///< range from which on it falls off
+    float flash_hz = 0;            ///< 0: steady
+    float duty = 1;                ///< part of a flash's period for which it is lit, from the beginning
+    float phase = 0;               ///< where in its period it stands at time 0, 0 to 1
+    std::uint32_t object = 0;      ///< into VisualDatabase::objects
+    std::uint32_t line = 0;        ///< of the authoring file
+    std::uint16_t file = 0;        ///< into VisualDatabase::source_files
+    std::uint16_t colour = 0;      ///< into VisualDatabase::colours
+    std::uint16_t back_colour = 0; ///< of the second beam (two_way)
+    LightBeam beam = LightBeam::all_round;
+    FallOff fall_off = FallOff::flat;
+    bool operator==(const LightPoint&) const = default;
+};
+
 /// Faces in their fixed order, front to back, that are present or absent together (same slot and alternative,
-/// same level of detail).
+/// same level of detail), and the light points among them, ascending by `place`.
 struct FaceRun {
     std::uint32_t first_face = 0;
     std::uint32_t face_count = 0;
     std::int32_t slot = none;
     std::uint32_t alternative = 0;
     std::int32_t level = none; ///< into VisualDatabase::detail_levels
-    Vec3f centre{0};           ///< bounding sphere in the list's frame, of the vertices with w = 1
-    float radius = 0;          ///< metres; negative: reaches infinity, never culled
+    Vec3f centre{0};  ///< bounding sphere in the list's frame, of the vertices with w = 1 and the lights
+    float radius = 0; ///< metres; negative: reaches infinity, never culled
+    std::uint32_t first_light = 0;
+    std::uint32_t light_count = 0;
     bool operator==(const FaceRun&) const = default;
 };
 
@@ -236,6 +270,7 @@ struct VisualDatabase {
     std::vector<std::uint32_t> corners; ///< indices into vertices
     std::vector<Colour> corner_colours; ///< parallel to corners; empty if no face is coloured
     std::vector<Vertex> vertices;
+    std::vector<LightPoint> lights;
     std::vector<RepeatedTile> tiles;
     std::vector<Vec3f> tile_normals;
     bool operator==(const VisualDatabase&) const = default;

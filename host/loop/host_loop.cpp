@@ -17,6 +17,7 @@ const FramePacket& HostLoop::packet(std::uint64_t frame, const SignalValues& sig
     look(packet_.time_s, signals);
     shade(signals);
     see(signals);
+    pass_day(signals);
     return packet_;
 }
 

@@ -3,6 +3,7 @@
 
 #include "host/loop/face_sequence.h"
 #include "host/motion/approach_path.h"
+#include "host/motion/daylight.h"
 #include "host/motion/ship.h"
 #include "host/motion/sun.h"
 #include "host/packet/frame_packet.h"
@@ -52,6 +53,15 @@ private:
         ShipTrack track;
         ShipMotion motion;
     };
+    /// What the time of day starts from.
+    struct Day {
+        double hour = 12.0;
+        double hours_per_s = 0.0;
+        double lamps_by_day = 0.3;
+        Vec3f sky{0};
+        std::vector<Colour> colours;      ///< the database's
+        std::vector<std::uint32_t> bands; ///< of them the sky's, from the horizon up
+    };
     struct Pointer {
         std::uint32_t slot;
         FaceSequence sequence;
@@ -64,6 +74,7 @@ private:
     void choose_approach(const Scenario& scenario);
     void fill_constants(const Scenario& scenario);
     void light_without_smoothing(const NameDirectory& directory, const Binding& binding);
+    void remember_day(const Scenario& scenario, const NameDirectory& directory, const Binding& binding);
 
     void turn_suns(std::uint64_t frame, const SignalValues& signals);
     void move_ships(double time_s, const SignalValues& signals);
@@ -71,6 +82,9 @@ private:
     void look(double time_s, const SignalValues& signals);
     void shade(const SignalValues& signals);
     void see(const SignalValues& signals);
+    void pass_day(const SignalValues& signals);
+    void colour(const Daylight& light);
+    void dim(const Daylight& light, const SignalValues& signals);
 
     double update_rate_hz_;
     std::uint64_t frames_ = 1;
@@ -81,6 +95,7 @@ private:
     ApproachPath approach_;
     std::size_t approached_ = 0; ///< index into ships_
     double visibility_m_ = 0.0;
+    Day day_;
     std::vector<ListLighting> without_smoothing_;
     FramePacket packet_;
 };

@@ -62,6 +62,7 @@ HostLoop::HostLoop(const Scenario& scenario, const NameDirectory& directory, dou
     choose_approach(scenario);
     fill_constants(scenario);
     light_without_smoothing(directory, binding);
+    remember_day(scenario, directory, binding);
     packet_.database_id = directory.database_id;
 }
 
@@ -132,8 +133,6 @@ void HostLoop::choose_approach(const Scenario& scenario) {
 
 void HostLoop::fill_constants(const Scenario& scenario) {
     packet_.seed = scenario.seed;
-    packet_.sky = scenario.sky;
-    packet_.time_of_day_h = static_cast<float>(scenario.time_of_day_h);
     packet_.sea = {.state = static_cast<float>(scenario.sea_state),
                    .current_east_mps = static_cast<float>(scenario.current_east_mps),
                    .current_north_mps = static_cast<float>(scenario.current_north_mps)};

@@ -187,6 +187,9 @@ std::string check_environment(const FramePacket& packet, const PacketLimits& lim
     if (packet.database_id != 0 && limits.database_id != 0 && packet.database_id != limits.database_id)
         return fmt::format("database_id is {:016x}; the database in use has {:016x}", packet.database_id,
                            limits.database_id);
+    if (!packet.colours.empty() && packet.colours.size() != limits.colours)
+        return fmt::format("colours has {} rows; expected none, or the database's {}", packet.colours.size(),
+                           limits.colours);
     constexpr double most = std::numeric_limits<float>::max();
     struct Bound {
         std::string_view member;
@@ -199,6 +202,7 @@ std::string check_environment(const FramePacket& packet, const PacketLimits& lim
                                Bound{"sky.y", packet.sky.y, 0.0, 1.0},
                                Bound{"sky.z", packet.sky.z, 0.0, 1.0},
                                Bound{"time_of_day_h", packet.time_of_day_h, 0.0, 24.0},
+                               Bound{"light_points", packet.light_points, 0.0, 100.0},
                                Bound{"sea.state", packet.sea.state, 0.0, 9.0},
                                Bound{"sea.current_east_mps", packet.sea.current_east_mps, -100.0, 100.0},
                                Bound{"sea.current_north_mps", packet.sea.current_north_mps, -100.0, 100.0}};

@@ -80,7 +80,12 @@ struct FramePacket {
     float lod_bias = 0.0F;          ///< levels of detail reach 2^bias times as far as authored; -16 to 16
     float visibility_m = 0.0F;      ///< meteorological optical range; 0: unlimited
     Vec3f sky{0.60F, 0.72F, 0.86F}; ///< colour where no face is, display-referred 0 to 1
-    float time_of_day_h = 12.0F;
+    float time_of_day_h =
+        12.0F; ///< what the numbers around it were made for: the machine reads them, never it
+    /// Colour table of faces and tiles for this frame, parallel to VisualDatabase::colours; empty: as the database has
+    /// it. Light points keep the database's colours.
+    std::vector<Colour> colours;
+    float light_points = 1.0F; ///< factor on the intensity of every light point, 0 to 100
     SeaParameters sea;
     std::uint64_t seed = 0;
     bool discontinuity = false; ///< the viewpoint or the scene jumped: histories start anew

@@ -16,6 +16,9 @@ struct ChannelReport {
     std::uint64_t most_crossings_on_a_line = 0; ///< edges that span one line, seen or hidden
     std::uint64_t segments = 0;                 ///< visible runs written
     std::uint64_t most_segments_on_a_line = 0;
+    std::uint64_t lights_active = 0;        ///< light points offered to the channel
+    std::uint64_t lights = 0;               ///< those that shine into its picture, hidden or not
+    std::uint64_t light_pixels = 0;         ///< pixels that they brighten
     std::uint64_t ambiguous_priorities = 0; ///< pairs of clusters that no plane decided
 };
 
@@ -39,9 +42,12 @@ std::vector<std::string> overload_text(const Overload& overload);
 struct FrameReport {
     std::uint64_t frame = 0;
     std::vector<ChannelReport> channels;
-    double first_line_delay_s =
-        0; ///< from the packet to the first line of its picture on the display, modelled
-    double last_line_delay_s = 0;
+    /// From the packet to the first and the last line of each field of its picture on the display, modelled.
+    struct FieldDelay {
+        double first_line_s = 0;
+        double last_line_s = 0;
+    };
+    std::vector<FieldDelay> fields;
     Overload overload;
     std::uint64_t overruns = 0;      ///< set by the host's frame clock
     std::vector<std::string> errors; ///< a refused packet says why here; its picture is the frame before

@@ -38,6 +38,9 @@ inline void read_value(const Json& json, const std::string& field, std::uint64_t
 inline void read_value(const Json& json, const std::string& field, std::uint32_t& value) {
     value = static_cast<std::uint32_t>(read_unsigned(json, field, std::numeric_limits<std::uint32_t>::max()));
 }
+inline void read_value(const Json& json, const std::string& field, std::uint8_t& value) {
+    value = static_cast<std::uint8_t>(read_unsigned(json, field, 255));
+}
 /// An index, or -1 for none.
 void read_value(const Json& json, const std::string& field, std::int32_t& value);
 

@@ -43,7 +43,7 @@ std::uint64_t most_bytes(const FramePacket& p) {
     std::uint64_t bytes = 1024 + p.channels.size() * sizeof(stored::ChannelView) +
                           p.suns.size() * sizeof(Vec3f) + p.lighting.size() * sizeof(ListLighting) +
                           p.moving_objects.size() * sizeof(stored::MovingObject) +
-                          p.substitutions.size() * sizeof(Substitution);
+                          p.substitutions.size() * sizeof(Substitution) + p.colours.size() * sizeof(Colour);
     for (const VertexNormalUpdate& update : p.normal_updates)
         bytes += sizeof(stored::VertexNormalUpdate) + update.normals.size() * sizeof(Vec3f);
     return bytes;
@@ -81,6 +81,7 @@ bool copy_tables(const stored::FramePacket& from, FramePacket& to) {
     return copy_rows(*from.channels(), to.channels) && copy_rows(*from.suns(), to.suns) &&
            copy_rows(*from.lighting(), to.lighting) && copy_rows(*from.moving_objects(), to.moving_objects) &&
            copy_rows(*from.substitutions(), to.substitutions) && copy_rows(*from.normals(), aligned) &&
+           (from.colours() == nullptr || copy_rows(*from.colours(), to.colours)) &&
            unflatten(from, to.normal_updates);
 }
 
@@ -95,6 +96,7 @@ void copy_numbers(const stored::FramePacket& from, FramePacket& to) {
     to.sea = from_stored(*from.sea());
     to.seed = from.seed();
     to.discontinuity = from.discontinuity();
+    to.light_points = from.light_points();
 }
 
 /// `bytes` is aligned for doubles.
@@ -125,6 +127,7 @@ std::vector<std::uint8_t> encode_packet(const FramePacket& packet) {
     const FlatNormals flat = flatten(packet.normal_updates);
     const auto normal_updates = builder.CreateVectorOfStructs(flat.updates);
     const auto normals = stored_rows(builder, flat.normals);
+    const auto colours = stored_rows(builder, packet.colours);
     const stored::Vec3 sky = to_stored(packet.sky);
     const stored::SeaParameters sea = to_stored(packet.sea);
     // A float or double that equals the schema's default (0) is left out, and -0 equals 0.
@@ -132,7 +135,7 @@ std::vector<std::uint8_t> encode_packet(const FramePacket& packet) {
     const auto root = stored::CreateFramePacket(
         builder, packet.frame, packet.time_s, packet.database_id, channels, suns, lighting, moving_objects,
         substitutions, normal_updates, normals, packet.lod_bias, packet.visibility_m, &sky,
-        packet.time_of_day_h, &sea, packet.seed, packet.discontinuity);
+        packet.time_of_day_h, &sea, packet.seed, packet.discontinuity, colours, packet.light_points);
     stored::FinishFramePacketBuffer(builder, root);
     return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }

@@ -59,6 +59,12 @@ void fields(auto& visit, Is<VertexNormalUpdate> auto& update) {
     visit.required("normals", update.normals);
 }
 
+void fields(auto& visit, Is<Colour> auto& colour) {
+    visit.required("red", colour.red);
+    visit.required("green", colour.green);
+    visit.required("blue", colour.blue);
+}
+
 void fields(auto& visit, Is<SeaParameters> auto& sea) {
     visit("state", sea.state);
     visit("current_east_mps", sea.current_east_mps);
@@ -79,6 +85,8 @@ void fields(auto& visit, Is<FramePacket> auto& packet) {
     visit("visibility_m", packet.visibility_m);
     visit("sky", packet.sky);
     visit("time_of_day_h", packet.time_of_day_h);
+    visit("colours", packet.colours);
+    visit("light_points", packet.light_points);
     visit("sea", packet.sea);
     visit.bits("seed", packet.seed);
     visit("discontinuity", packet.discontinuity);

@@ -64,6 +64,9 @@ inline MovingObject from_stored(const stored::MovingObject& m) {
 inline stored::Substitution to_stored(const Substitution& s) { return {s.slot, s.index}; }
 inline Substitution from_stored(const stored::Substitution& s) { return {s.slot(), s.index()}; }
 
+inline stored::Colour to_stored(const Colour& c) { return {c.red, c.green, c.blue}; }
+inline Colour from_stored(const stored::Colour& c) { return {c.red(), c.green(), c.blue(), 0}; }
+
 inline stored::SeaParameters to_stored(const SeaParameters& s) {
     return {s.state, s.current_east_mps, s.current_north_mps};
 }

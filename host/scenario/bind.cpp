@@ -70,6 +70,9 @@ Binding bind(const Scenario& scenario, const NameDirectory& directory, database:
     const Lookup listed{"object list", lists, diagnostics};
     for (const Name& each : scenario.sky_lists)
         binding.sky_lists.push_back(listed.index(each, directory.find_list(each.text)));
+    const Lookup coloured{"colour", directory.colours, diagnostics};
+    for (const Name& each : scenario.sky_bands)
+        binding.sky_bands.push_back(coloured.index(each, directory.find_colour(each.text)));
     return binding;
 }
 

@@ -15,7 +15,8 @@ struct Binding {
     std::vector<std::uint32_t> slots;
     std::vector<std::uint32_t> slot_alternatives;
     std::vector<std::uint32_t> sky_lists;
-    std::uint32_t sun_count = 0; ///< rows that a packet for this database has
+    std::vector<std::uint32_t> sky_bands; ///< colour codes
+    std::uint32_t sun_count = 0;          ///< rows that a packet for this database has
     std::uint32_t moving_object_count = 0;
 };
 

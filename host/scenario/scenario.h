@@ -106,8 +106,11 @@ struct Scenario {
     /// Object lists that stay smooth when smooth shading is off: a dome whose authored normals are its
     /// picture.
     std::vector<Name> sky_lists;
-    double visibility_m = 0.0; ///< 0: unlimited
-    double time_of_day_h = 12.0;
+    double visibility_m = 0.0;     ///< 0: unlimited
+    double time_of_day_h = 12.0;   ///< at time 0
+    double hours_per_minute = 0.0; ///< how fast the day goes by
+    std::vector<Name> sky_bands;   ///< colour codes of the sky that follow the hour, from the horizon up
+    double lamps_by_day = 0.3;     ///< factor on light points in full daylight; 1 in the dark
 };
 
 struct ScenarioResult {

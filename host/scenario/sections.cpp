@@ -154,6 +154,10 @@ void read_sky(TableReader& root, Scenario& scenario) {
         scenario.sky_lists.push_back({std::move(list), reader.at("lists")});
     scenario.visibility_m = reader.length_m("visibility", 0.0, {0.0, 1e6});
     scenario.time_of_day_h = reader.number("time_of_day_h", 12.0, {0.0, 24.0});
+    scenario.hours_per_minute = reader.number("hours_per_minute", 0.0, {-1440.0, 1440.0});
+    for (std::string& band : reader.texts("bands"))
+        scenario.sky_bands.push_back({std::move(band), reader.at("bands")});
+    scenario.lamps_by_day = reader.number("lamps_by_day", 0.3, {0.0, 1.0});
     reader.finish();
 }
 

@@ -26,6 +26,7 @@ constexpr std::array<SignalDefinition, signal_count> directory{{
     // The report (3.3.2) drove the ship at 10 degrees of pitch, twice the greatest of a real landing.
     {Signal::pitch_amplitude, "pitch_amplitude", level, 0, 2, 1, "", "factor on the ships' pitch"},
     {Signal::visibility, "visibility", level, 0.01, 1, 1, "", "factor on the visibility"},
+    {Signal::time_of_day, "time_of_day", level, -24, 24, 0, "h", "hours added to the scenario's time of day"},
 }};
 
 constexpr bool in_order_of_enumeration() {

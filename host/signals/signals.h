@@ -25,8 +25,9 @@ enum class Signal : std::uint8_t {
     view,
     pitch_amplitude,
     visibility,
+    time_of_day,
 };
-inline constexpr std::size_t signal_count = 10;
+inline constexpr std::size_t signal_count = 11;
 
 enum class SignalKind : std::uint8_t {
     toggle,   ///< 0 or 1 (a switch)
@@ -42,7 +43,7 @@ struct SignalDefinition {
     double minimum;
     double maximum;
     double initial;
-    const char* unit;    ///< "rad", or "" for a factor or a choice
+    const char* unit;    ///< "rad", "h", or "" for a factor or a choice
     const char* meaning; ///< one clause, as shown in a list of signals
 };
 

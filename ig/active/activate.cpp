@@ -68,6 +68,7 @@ void point_at_database(const VisualDatabase& database, const ObjectList& list, F
     block.faces = database.faces;
     block.runs = database.runs;
     block.leaves = database.run_leaves;
+    block.lights = database.lights;
     block.root = list.root;
 }
 
@@ -76,6 +77,9 @@ void point_at_database(const VisualDatabase& database, const ObjectList& list, F
 void activate(const VisualDatabase& database, const FramePacket& packet, const Configuration& configuration,
               History& history, ActiveDatabase& active) {
     active.database = &database;
+    active.time_s = packet.time_s;
+    active.visibility_m = static_cast<double>(packet.visibility_m);
+    active.light_points = packet.light_points;
     place_clusters(database, packet, active);
     point_slots(database, packet, active);
     choose_levels(database, packet, history, active);

@@ -30,6 +30,7 @@ struct FaceBlock {
     std::span<const Face> faces{};            ///< first_corner indexes `corners`
     std::span<const FaceRun> runs{};          ///< first_face indexes `faces`
     std::span<const RunLeaf> leaves{};        ///< first_run indexes `runs`
+    std::span<const LightPoint> lights{};     ///< first_light indexes them
     std::int32_t root =
         none; ///< of the list's plane tree: nodes in VisualDatabase::planes, leaves in `leaves`
 };
@@ -56,7 +57,10 @@ struct ActiveDatabase {
     std::vector<FaceBlock> blocks;
     std::vector<ClusterPose> poses; ///< parallel to VisualDatabase::clusters
     std::vector<std::uint32_t>
-        slot_index; ///< parallel to VisualDatabase::slots: the alternative that is present
+        slot_index;            ///< parallel to VisualDatabase::slots: the alternative that is present
+    double time_s = 0.0;       ///< of the packet: what flashes by
+    double visibility_m = 0.0; ///< 0: unlimited
+    float light_points = 1.0F; ///< factor on the intensity of light points
 
     std::vector<std::uint16_t>
         level_opacity; ///< parallel to VisualDatabase::detail_levels: of 256; 0 is absent

@@ -1,6 +1,7 @@
 #include "ig/geometry/project.h"
 
 #include "ig/geometry/depth_plane.h"
+#include "ig/geometry/project_lights.h"
 
 #include <algorithm>
 #include <array>
@@ -31,8 +32,9 @@ class Projector {
 public:
     Projector(const ActiveDatabase& active, const ChannelView& channel, const Raster& raster, bool with_depth,
               GeometryScratch& scratch, ProjectedFaces& projected)
-        : active_(active), view_(view_of(channel, raster)), with_depth_(with_depth), scratch_(scratch),
-          out_(projected), last_line_(256 * static_cast<std::int32_t>(raster.lines())),
+        : active_(active), view_(view_of(channel, raster)), lights_(active, view_, raster, projected),
+          with_depth_(with_depth), scratch_(scratch), out_(projected),
+          last_line_(256 * static_cast<std::int32_t>(raster.lines())),
           last_element_(256 * static_cast<std::int32_t>(raster.elements())) {
         side_length_[0] = std::sqrt(1.0 + view_.left * view_.left);
         side_length_[1] = std::sqrt(1.0 + view_.right * view_.right);
@@ -48,11 +50,16 @@ public:
             entered = ranked.block;
             const FaceRun& run = block_->runs[ranked.run];
             out_.offered += run.face_count;
+            out_.lights_offered += run.light_count;
             if (!in_sight(run)) continue;
             fade_ = level_opacity(active_, run.level);
             level_ = fade_ < opaque ? run.level : none;
-            for (std::uint32_t f = run.first_face; f < run.first_face + run.face_count; ++f)
-                put_face(f);
+            std::uint32_t lights_put = 0;
+            for (std::uint32_t f = 0; f < run.face_count; ++f) {
+                put_lights(run, f, lights_put);
+                put_face(run.first_face + f);
+            }
+            put_lights(run, run.face_count, lights_put);
         }
     }
 
@@ -68,6 +75,7 @@ private:
         }
         channel_from_list_ = view_.channel_from_world * block_->world_from_list;
         origin_ = block_->at_eye ? Vec3d(0) : view_.channel_from_world * (block_->origin_m - view_.eye_m);
+        lights_.enter(channel_from_list_, origin_, block_->at_eye);
     }
 
     /// Bounding sphere against the frustum's planes.
@@ -79,6 +87,12 @@ private:
                view_.right * c.z - c.x >= -r * side_length_[1] &&
                c.y - view_.bottom * c.z >= -r * side_length_[2] &&
                view_.top * c.z - c.y >= -r * side_length_[3];
+    }
+
+    /// The light points of a run that stand before its face number `place`.
+    void put_lights(const FaceRun& run, std::uint32_t place, std::uint32_t& put) {
+        for (; put < run.light_count && block_->lights[run.first_light + put].place <= place; ++put)
+            lights_.put(block_->lights[run.first_light + put], fade_);
     }
 
     // ---- vertices
@@ -410,6 +424,7 @@ private:
 
     const ActiveDatabase& active_;
     View view_;
+    LightProjector lights_;
     bool with_depth_;
     GeometryScratch& scratch_;
     ProjectedFaces& out_;
@@ -446,7 +461,9 @@ void project(const ActiveDatabase& active, const PriorityOrder& order, const Cha
     projected.points.clear();
     projected.triangles.clear();
     projected.depths.clear();
+    projected.lights.clear();
     projected.offered = 0;
+    projected.lights_offered = 0;
     Projector(active, channel, raster, with_depth, scratch, projected).run(order);
 }
 

@@ -68,6 +68,15 @@ struct ProjectedFace {
     std::int32_t level = -1;     ///< into VisualDatabase::detail_levels while that fades, else -1
 };
 
+/// A light point on the raster.
+struct ProjectedLight {
+    RasterPoint at;
+    std::int32_t radius = 0;  ///< of its splat, 1/256 pixel
+    std::uint32_t total = 0;  ///< light of the whole splat: 1/256 of a pixel at the full colour code
+    std::uint32_t rank = 0;   ///< of the first face that it stands before: it is behind all of a lower rank
+    std::uint16_t colour = 0; ///< of the database's table
+};
+
 /// From tangents to the raster: picture column in 1/256 pixel = x_scale * x/z + x_offset, row likewise, down.
 struct PictureScale {
     double x_scale = 1, x_offset = 0;
@@ -81,7 +90,9 @@ struct ProjectedFaces {
     std::vector<RasterPoint> points;
     std::vector<IntensityTriangle> triangles;
     std::vector<DepthPlane> depths;
-    std::uint64_t offered = 0; ///< faces looked at
+    std::vector<ProjectedLight> lights; ///< ascending by rank
+    std::uint64_t offered = 0;          ///< faces looked at
+    std::uint64_t lights_offered = 0;   ///< light points looked at
 };
 
 } // namespace linkdig::ig

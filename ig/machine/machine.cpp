@@ -5,6 +5,7 @@
 #include "ig/active/shedding.h"
 #include "ig/edges/edges.h"
 #include "ig/geometry/project.h"
+#include "ig/lights/splat.h"
 #include "ig/machine/load.h"
 #include "ig/priority/prioritise.h"
 #include "ig/scanline/bands.h"
@@ -36,6 +37,7 @@ struct BandWorker {
 struct BandCounts {
     std::uint64_t segments = 0;
     std::uint64_t most_on_a_line = 0;
+    std::uint64_t light_pixels = 0;
 };
 
 /// One channel's stages, in order, and what passes between them.
@@ -46,6 +48,7 @@ struct Channel {
     GeometryScratch geometry_scratch;
     ProjectedFaces projected;
     FaceEdges edges;
+    Splats splats;
     Bands bands;
     Air air;
     std::vector<BandCounts> counts;
@@ -151,6 +154,7 @@ struct Machine::State {
         channel.air.prepare(channel.projected.scale, raster, static_cast<double>(packet.visibility_m),
                             background_of(packet));
         make_edges(channel.projected, raster, configuration.edge_smoothing, channel.edges);
+        make_splats(channel.projected.lights, raster, band_lines, configuration.most_lights, channel.splats);
         sort_into_bands(channel.edges, raster.lines(), channel.bands);
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
         draw_bands(packet, channel);
@@ -173,17 +177,20 @@ struct Machine::State {
 
     void draw_bands(const FramePacket& packet, Channel& channel) {
         const Raster& raster = configuration.raster;
-        const VideoInput input{&channel.projected, &channel.edges, database.colours, background_of(packet),
-                               &channel.air};
+        const std::span<const Colour> colours = packet.colours.empty() ? database.colours : packet.colours;
+        const VideoInput input{&channel.projected,    &channel.edges, colours,
+                               background_of(packet), &channel.air,   database.colours};
         const std::uint32_t bands = band_count(raster.lines());
         channel.counts.assign(bands, {});
         const auto draw_one = [&](std::uint32_t band, BandWorker& worker) {
             worker.segments.first_line = band * band_lines;
             worker.segments.end_line = std::min((band + 1) * band_lines, raster.lines());
-            resolve_band(channel.edges, channel.bands.of(band), raster.elements(),
-                         configuration.edge_smoothing, worker.scratch, worker.segments);
+            resolve_band(channel.edges, channel.bands.of(band), channel.splats.of(band),
+                         channel.splats.pixels, raster.elements(), configuration.edge_smoothing,
+                         worker.scratch, worker.segments);
             draw_band(input, raster, worker.segments, worker.video, channel.picture);
             channel.counts[band] = count(worker.segments);
+            channel.counts[band].light_pixels = worker.video.light_pixels;
         };
         if (workers.size() == 1) {
             for (std::uint32_t band = 0; band < bands; ++band)
@@ -202,9 +209,12 @@ struct Machine::State {
         counts.faces_active = channel.projected.offered;
         counts.faces_projected = channel.projected.faces.size();
         counts.edges = channel.edges.edges.size();
+        counts.lights_active = channel.projected.lights_offered;
+        counts.lights = channel.projected.lights.size();
         counts.ambiguous_priorities = channel.order.ambiguous;
         for (const BandCounts& band : channel.counts) {
             counts.segments += band.segments;
+            counts.light_pixels += band.light_pixels;
             counts.most_segments_on_a_line = std::max(counts.most_segments_on_a_line, band.most_on_a_line);
         }
     }
@@ -213,9 +223,10 @@ struct Machine::State {
 Machine::Machine(const VisualDatabase& database, const Configuration& configuration) {
     check(configuration);
     state_ = std::make_unique<State>(database, configuration);
-    const DisplayDelay delay = display_delay(configuration);
-    state_->report.first_line_delay_s = delay.first_line_s;
-    state_->report.last_line_delay_s = delay.last_line_s;
+    for (std::uint32_t field = 0; field < configuration.fields; ++field) {
+        const FieldTimes times = field_times(configuration, field);
+        state_->report.fields.push_back({times.first_line_s, times.last_line_s});
+    }
 }
 
 Machine::~Machine() = default;

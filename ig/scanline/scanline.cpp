@@ -18,9 +18,12 @@ public:
           first_line_(static_cast<std::int32_t>(segments.first_line)),
           end_line_(static_cast<std::int32_t>(segments.end_line)) {}
 
-    void run(std::span<const std::uint32_t> ranks) {
+    void run(std::span<const std::uint32_t> ranks, std::span<const BandLight> lights,
+             std::span<const SplatPixel> splats) {
         open_all();
         for (const std::uint32_t rank : ranks) {
+            for (; !lights.empty() && lights.front().rank <= rank; lights = lights.subspan(1))
+                put_light(lights.front(), splats);
             if (open_lines_ == 0) break; // whatever comes now is behind
             face_ = &edges_.faces[rank];
             rank_ = rank;
@@ -30,6 +33,8 @@ public:
                 put_by_centres();
             }
         }
+        for (const BandLight& light : lights)
+            put_light(light, splats);
         leave_background();
     }
 
@@ -45,6 +50,21 @@ private:
         }
         scratch_.open_count.fill(static_cast<std::uint32_t>(elements_));
         open_lines_ = static_cast<std::uint32_t>(lines);
+    }
+
+    /// A light shines through what is left of a pixel when its turn comes; it takes nothing itself.
+    void put_light(const BandLight& light, std::span<const SplatPixel> splats) {
+        for (const SplatPixel& splat : splats.subspan(light.first_pixel, light.pixel_count)) {
+            const auto line = static_cast<std::size_t>(splat.line - first_line_);
+            const std::size_t words = line * words_;
+            if (!is_set(scratch_.open.data() + words, splat.element)) continue;
+            std::uint64_t weight = splat.weight;
+            if (is_set(scratch_.shared.data() + words, splat.element))
+                weight = weight * out_.pixels[index_of(line, splat.element)].left / whole_pixel;
+            if (weight != 0)
+                out_.lights.push_back(
+                    {splat.line, splat.element, static_cast<std::uint32_t>(weight), light.light});
+        }
     }
 
     // ---- which elements a face covers ----------------------------------------------------------------------------
@@ -224,11 +244,18 @@ private:
 
 void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks, std::uint32_t elements,
                   bool smoothing, BandScratch& scratch, BandSegments& segments) {
+    resolve_band(edges, ranks, {}, {}, elements, smoothing, scratch, segments);
+}
+
+void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks,
+                  std::span<const BandLight> lights, std::span<const SplatPixel> splats,
+                  std::uint32_t elements, bool smoothing, BandScratch& scratch, BandSegments& segments) {
     segments.segments.clear();
     segments.background.clear();
     segments.pixels.clear();
     segments.shares.clear();
-    BandResolver(edges, elements, smoothing, scratch, segments).run(ranks);
+    segments.lights.clear();
+    BandResolver(edges, elements, smoothing, scratch, segments).run(ranks, lights, splats);
 }
 
 } // namespace linkdig::ig

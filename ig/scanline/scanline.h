@@ -5,6 +5,7 @@
 
 #include "ig/configuration.h"
 #include "ig/edges/edge.h"
+#include "ig/lights/splat.h"
 #include "ig/scanline/coverage.h"
 #include "ig/scanline/segment.h"
 
@@ -29,5 +30,11 @@ struct BandScratch {
 /// smoothing faces count by the area that they cover, else by pixel centres.
 void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks, std::uint32_t elements,
                   bool smoothing, BandScratch& scratch, BandSegments& segments);
+
+/// The same with the band's light points among the faces: a light gets of each of its pixels the share that the faces
+/// in front of it have left, and takes nothing.
+void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks,
+                  std::span<const BandLight> lights, std::span<const SplatPixel> splats,
+                  std::uint32_t elements, bool smoothing, BandScratch& scratch, BandSegments& segments);
 
 } // namespace linkdig::ig

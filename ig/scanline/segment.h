@@ -43,6 +43,14 @@ struct Share {
     std::uint32_t weight = 0; ///< of whole_pixel; of an additive face: its coverage
 };
 
+/// What a light point adds to one pixel, after what is in front of it has taken its part.
+struct LightPixel {
+    std::uint16_t line = 0;
+    std::uint16_t element = 0;
+    std::uint32_t weight = 0; ///< of whole_splat (ig/lights/splat.h)
+    std::uint32_t light = 0;  ///< into ProjectedFaces::lights
+};
+
 /// One band, in the order in which it was resolved: by rank, then line, then element. Every element belongs to exactly
 /// one segment, to the background, or to `pixels`.
 struct BandSegments {
@@ -52,6 +60,7 @@ struct BandSegments {
     std::vector<Segment> background; ///< what no face covers; `face` is meaningless
     std::vector<SharedPixel> pixels;
     std::vector<Share> shares;
+    std::vector<LightPixel> lights;
 };
 
 } // namespace linkdig::ig

@@ -268,6 +268,8 @@ void draw_band(const VideoInput& input, const Raster& raster, const BandSegments
     shares.add_up();
     shares.write(beam, frame);
     beam.finish();
+    scratch.light_pixels =
+        add_lights(input.projected->lights, input.light_colours, raster, band, scratch.lights, frame);
 }
 
 } // namespace linkdig::ig

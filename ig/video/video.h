@@ -6,6 +6,7 @@
 #include "ig/edges/edge.h"
 #include "ig/geometry/projected_face.h"
 #include "ig/scanline/segment.h"
+#include "ig/video/add_lights.h"
 #include "ig/video/line.h"
 #include "ig/video/pixel_run.h"
 
@@ -17,9 +18,10 @@ namespace linkdig::ig {
 struct VideoInput {
     const ProjectedFaces* projected = nullptr;
     const FaceEdges* edges = nullptr;
-    std::span<const Colour> colours;
+    std::span<const Colour> colours; ///< of faces
     Colour background;
     const Air* air = nullptr;
+    std::span<const Colour> light_colours{};
 };
 
 /// Sizes the frame; planes that are wanted are sized, others emptied. Contents are undefined until every band
@@ -49,6 +51,8 @@ struct VideoScratch {
     std::vector<std::uint32_t> lines;
     std::vector<PixelSum> sums; ///< parallel to BandSegments::pixels
     std::vector<PendingLight> pending;
+    LightSums lights;
+    std::uint64_t light_pixels = 0; ///< of the band drawn last: pixels that light points brighten
 };
 
 /// Draws one band. Bands of one frame may be drawn at the same time, each thread with its own scratch.

@@ -134,10 +134,18 @@ TEST(Channels, DelaysAreThoseOfTheProfile) {
     const VisualDatabase database = scene();
     Machine ames(database, ames_profile());
     const FrameReport& report = ames.frame(packet_of({channel_at({0, 0, 20})}));
-    EXPECT_NEAR(report.first_line_delay_s, 0.0667, 0.0001);
-    EXPECT_NEAR(report.last_line_delay_s, 0.1, 0.0001);
-    EXPECT_NEAR(display_delay(ames_profile()).middle_line_s, 0.0833, 0.0001);
-    EXPECT_EQ(display_delay(modern_profile()).first_line_s, 0.0);
+    ASSERT_EQ(report.fields.size(), 2U);
+    const double line_s = 1.0 / 60.0 / 384.0; // 768 columns, half of them a field
+    EXPECT_NEAR(report.fields[0].first_line_s, 4.0 / 60.0, 1e-12);
+    EXPECT_NEAR(report.fields[0].last_line_s, 5.0 / 60.0 - line_s, 1e-12);
+    EXPECT_NEAR(report.fields[1].first_line_s, 5.0 / 60.0, 1e-12);
+    EXPECT_NEAR(report.fields[1].last_line_s, 6.0 / 60.0 - line_s, 1e-12);
+    EXPECT_NEAR(mid_screen_delay_s(ames_profile()), 0.0833, 0.0001);
+    Machine modern(database, modern_profile());
+    const FrameReport& progressive = modern.frame(packet_of({channel_at({0, 0, 20})}));
+    ASSERT_EQ(progressive.fields.size(), 1U);
+    EXPECT_EQ(progressive.fields[0].first_line_s, 0.0);
+    EXPECT_NEAR(progressive.fields[0].last_line_s, 1023.0 / 1024.0 / 60.0, 1e-12);
 }
 
 } // namespace

@@ -51,6 +51,12 @@ void apply(Action action, const host::HostLoop& loop, std::uint64_t frame, Signa
     case Action::sea_sun_faster:
         change_sea_rate(sea_rate_step, loop, frame, signals);
         break;
+    case Action::earlier:
+        signals.add(Signal::time_of_day, -hour_step);
+        break;
+    case Action::later:
+        signals.add(Signal::time_of_day, hour_step);
+        break;
     case Action::smooth_shading:
         signals.change_over(Signal::smooth_shading);
         break;

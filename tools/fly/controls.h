@@ -17,6 +17,8 @@ struct Screen {
 
 /// One press of a key raises or lowers the sea's sun by this much.
 inline constexpr double sun_step_rad = radians(2.0);
+/// One press of a key moves the time of day by this much.
+inline constexpr double hour_step = 0.5;
 /// One press of a key adds this part of the scenario's rate to the sea's sun: four presses to the left stop
 /// it.
 inline constexpr double sea_rate_step = 0.25;

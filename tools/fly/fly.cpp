@@ -22,7 +22,8 @@ struct Shown {
 
 class Cockpit {
 public:
-    Cockpit(Flight& flight, Window& window) : flight_(flight), window_(window) {
+    Cockpit(Flight& flight, Window& window, RetroDisplay* display)
+        : flight_(flight), window_(window), display_(display) {
         text_[0] = {.corner = TextBlock::Corner::top_left, .lines = help_lines()};
         text_[1] = {.corner = TextBlock::Corner::bottom_left, .lines = {}};
     }
@@ -34,9 +35,16 @@ public:
         const std::uint64_t frame = counter_.next(signals_.snapshot());
         const Shown wanted{frame, standing(signals_)};
         if (shown_ != wanted) draw(wanted, overruns);
-        const std::size_t first = screen_.help ? 0 : 1;
-        window_.show(flight_.machine().picture(0), std::span(text_).subspan(first));
+        show(0);
         return !screen_.quit;
+    }
+
+    /// A field of the picture that was drawn last.
+    void show(std::uint32_t field) {
+        const ig::VideoFrame& picture = flight_.machine().picture(0);
+        const std::size_t first = screen_.help ? 0 : 1;
+        window_.show(display_ == nullptr ? picture : display_->show(picture, field),
+                     std::span(text_).subspan(first));
     }
 
 private:
@@ -49,6 +57,7 @@ private:
 
     Flight& flight_;
     Window& window_;
+    RetroDisplay* display_; ///< none: the picture as it is
     host::SignalStore signals_;
     host::SimulationCounter counter_;
     Screen screen_;
@@ -58,15 +67,20 @@ private:
 
 } // namespace
 
-FlyResult fly(Flight& flight, Window& window, std::uint64_t updates) {
-    Cockpit cockpit(flight, window);
+FlyResult fly(Flight& flight, Window& window, std::uint64_t updates, RetroDisplay* display) {
+    Cockpit cockpit(flight, window, display);
+    const std::uint32_t fields = display == nullptr ? 1 : display->fields();
     const auto time = host::steady_time();
-    host::FrameClock clock(flight.loop().update_rate_hz(), *time);
+    host::FrameClock clock(flight.loop().update_rate_hz() * fields, *time);
     FlyResult result;
     bool goes_on = true;
     while (goes_on && (updates == 0 || result.updates < updates)) {
         clock.wait();
         goes_on = cockpit.update(clock.overruns());
+        for (std::uint32_t field = 1; field < fields; ++field) {
+            clock.wait();
+            cockpit.show(field);
+        }
         ++result.updates;
     }
     result.overruns = clock.overruns();

@@ -1,6 +1,7 @@
 #pragma once
 /// A flight in a window, in real time.
 
+#include "tools/display/retro_display.h"
 #include "tools/flight/flight.h"
 
 #include <cstdint>
@@ -17,6 +18,7 @@ struct FlyResult {
 
 /// Flies until somebody quits, or until `updates` updates have been shown (0: no limit). After its last
 /// second the flight hovers on. A frozen picture is drawn anew only when a key has changed something.
-FlyResult fly(Flight& flight, Window& window, std::uint64_t updates);
+/// `display`: shows the pictures field by field, at the rate of fields; none: as they are.
+FlyResult fly(Flight& flight, Window& window, std::uint64_t updates, RetroDisplay* display = nullptr);
 
 } // namespace linkdig::tools

@@ -16,6 +16,8 @@ constexpr std::array table{
     Key{Action::sun_down, "down", "sea's sun down 2 deg", SDLK_DOWN, 0},
     Key{Action::sea_sun_slower, "left", "sea's sun slower", SDLK_LEFT, 0},
     Key{Action::sea_sun_faster, "right", "sea's sun faster", SDLK_RIGHT, 0},
+    Key{Action::earlier, "[", "half an hour earlier", SDLK_LEFTBRACKET, SDLK_PAGEDOWN},
+    Key{Action::later, "]", "half an hour later", SDLK_RIGHTBRACKET, SDLK_PAGEUP},
     Key{Action::smooth_shading, "s", "smooth shading off, on", SDLK_s, 0},
     Key{Action::view_ahead, "1 a", "view ahead", SDLK_1, SDLK_a},
     Key{Action::view_left, "2 l", "view left", SDLK_2, SDLK_l},

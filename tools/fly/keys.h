@@ -17,6 +17,8 @@ enum class Action : std::uint8_t {
     sun_down,
     sea_sun_slower,
     sea_sun_faster,
+    earlier,
+    later,
     smooth_shading,
     view_ahead,
     view_left,

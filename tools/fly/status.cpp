@@ -17,6 +17,10 @@ std::uint32_t sun_of_list(std::uint32_t list, const VisualDatabase& database, co
     return database.lists[list].sun;
 }
 
+int minutes_of_day(const FramePacket& packet) {
+    return static_cast<int>(60.0F * packet.time_of_day_h + 0.5F) % (24 * 60);
+}
+
 std::uint64_t edges_of(const FrameReport& report) {
     std::uint64_t edges = 0;
     for (const ChannelReport& channel : report.channels)
@@ -38,7 +42,8 @@ std::vector<std::string> status_lines(const VisualDatabase& database, const Fram
     std::vector<std::string> lines = {
         fmt::format("frame {:5}  {:6.2f} s  edges {:6}  overruns {}", packet.frame, packet.time_s,
                     edges_of(report), report.overruns),
-        fmt::format("view {:5}  sea's sun {:2.0f} deg, x {:.2f}  smooth shading {}{}", view_name(signals),
+        fmt::format("view {:5}  {:02}:{:02}  sea's sun {:2.0f} deg, x {:.2f}  smooth shading {}{}",
+                    view_name(signals), minutes_of_day(packet) / 60, minutes_of_day(packet) % 60,
                     sea_sun_elevation_deg(database, packet), signals[Signal::sea_sun_rate],
                     signals.on(Signal::smooth_shading) ? "on " : "off",
                     signals.on(Signal::freeze) ? "  paused" : ""),

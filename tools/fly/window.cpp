@@ -156,8 +156,8 @@ std::vector<Action> Window::actions() {
         const auto action = action_of(event.key.keysym.sym);
         // Held keys repeat where a value goes up or down or frames are stepped, not where something is
         // switched.
-        const bool may_repeat = action && (*action == Action::step ||
-                                           (*action >= Action::sun_up && *action <= Action::sea_sun_faster));
+        const bool may_repeat =
+            action && (*action == Action::step || (*action >= Action::sun_up && *action <= Action::later));
         if (action && (event.key.repeat == 0 || may_repeat)) asked.push_back(*action);
     }
     return asked;

@@ -28,7 +28,9 @@ TEST(Summary, CountsListByList) {
     EXPECT_EQ(hull.leaves, 2U);
     ASSERT_TRUE(hull.extent);
     EXPECT_EQ(hull.extent->least, Vec3f(0, 0, 0));
-    EXPECT_EQ(hull.extent->greatest, Vec3f(1, 1, 1));
+    EXPECT_EQ(hull.extent->greatest, Vec3f(1, 1, 1.5F)) << "of a light point";
+    EXPECT_EQ(hull.lights, 2U);
+    EXPECT_EQ(summary.objects[0].lights, 2U);
     EXPECT_FALSE(hull.reaches_infinity);
 }
 
@@ -49,6 +51,8 @@ TEST(DumpJson, IsATreeOfListsAndObjects) {
     EXPECT_EQ(dump["name"], "sample");
     EXPECT_EQ(dump["id"], "0000000000000abc");
     EXPECT_EQ(dump["totals"]["faces"], 5);
+    EXPECT_EQ(dump["totals"]["lights"], 2);
+    EXPECT_EQ(dump["lists"][0]["lights"], 2);
     EXPECT_EQ(dump["slots"], json::parse(R"([{"name": "wake", "alternatives": 2}])"));
     EXPECT_EQ(dump["clusters"][0]["moving_object"], "lph");
     EXPECT_EQ(dump["clusters"][1]["moving_object"], nullptr);
@@ -62,7 +66,7 @@ TEST(DumpJson, IsATreeOfListsAndObjects) {
     EXPECT_EQ(wake["objects"],
               json::parse(R"([{"name": "wake.1", "faces": 1, "corners": 4, "slot": "wake", "alternative": 0},
         {"name": "wake.2", "faces": 1, "corners": 4, "slot": "wake", "alternative": 1}])"));
-    EXPECT_EQ(dump["lists"][0]["extent"]["greatest_m"], json({1.0, 1.0, 1.0}));
+    EXPECT_EQ(dump["lists"][0]["extent"]["greatest_m"], json({1.0, 1.0, 1.5}));
     EXPECT_EQ(dump["lists"][2]["tile"]["cell_m"], 12.5);
     EXPECT_EQ(dump["lists"][2]["extent"], nullptr);
 }
@@ -94,7 +98,7 @@ TEST(DumpText, NamesListsAndSlots) {
     EXPECT_THAT(text, HasSubstr("detail runway of ground: to 500 m 1 faces 4 edges; blend 50 m\n"));
     EXPECT_THAT(text, HasSubstr("detail ship of ship: to 100 m 0 faces 0 edges, to 250 m 0 faces 0 edges; "
                                 "hysteresis 5 m; levels add up\n"));
-    EXPECT_THAT(text, HasSubstr("1 x 1 x 1 m"));
+    EXPECT_THAT(text, HasSubstr("1 x 1 x 1.5 m"));
     EXPECT_THAT(text, HasSubstr("tile, to the horizon"));
 }
 

@@ -49,6 +49,7 @@ std::vector<std::uint8_t> finished(Builder& builder, Parts parts) {
     const auto runs = none_of(static_cast<stored::FaceRun*>(nullptr));
     const auto faces = none_of(static_cast<stored::Face*>(nullptr));
     const auto vertices = none_of(static_cast<stored::Vertex*>(nullptr));
+    const auto lights = none_of(static_cast<stored::LightPoint*>(nullptr));
     const auto tiles = none_of(static_cast<stored::RepeatedTile*>(nullptr));
     const auto normals = none_of(static_cast<stored::Vec3*>(nullptr));
     const auto numbers = builder.CreateVector(std::vector<std::uint32_t>{});
@@ -56,7 +57,7 @@ std::vector<std::uint8_t> finished(Builder& builder, Parts parts) {
         builder, parts.name, parts.source_files, colours, parts.strings, parts.strings, parts.strings,
         parts.strings, numbers, details, parts.strings, levels, groups, clusters, parts.strings, parts.lists,
         parts.list_names, objects, parts.strings, planes, leaves, runs, faces, numbers, colours, vertices,
-        tiles, normals);
+        lights, tiles, normals);
     stored::FinishVisualDatabaseBuffer(builder, root);
     return sealed(builder);
 }

@@ -69,6 +69,27 @@ void add_ship(VisualDatabase& d) {
     d.planes[0].front = add_square(d, 0, 1);
     d.planes[0].back = add_square(d, 0, 0);
     d.lists[0].root = 0;
+    for (std::uint32_t k = 0; k < 2; ++k) // before and behind the deck's first square
+        d.lights.push_back({.position = {0.25F, 0.5F, 1.5F - static_cast<float>(k)},
+                            .place = k,
+                            .direction = {0, 0.6F, 0.8F},
+                            .across = 3.5F,
+                            .side = {1, 0, 0},
+                            .upward = 0.25F,
+                            .intensity = 2.5F,
+                            .size_m = 0.125F,
+                            .full_to_m = 750,
+                            .flash_hz = 1.5F,
+                            .duty = 0.25F,
+                            .phase = 0.75F,
+                            .object = 0,
+                            .line = 43,
+                            .file = 1,
+                            .colour = 1,
+                            .back_colour = 0,
+                            .beam = LightBeam::two_way,
+                            .fall_off = FallOff::square});
+    d.runs[0].light_count = 2;
     d.planes.push_back({.normal = {0, 0, 0}, .distance = -1}); // a chain: fixed order
     d.planes[1].front = add_square(d, 1, 0);
     d.planes[1].back = add_square(d, 2, 0);

@@ -129,6 +129,41 @@ TEST(Validate, RunsAndPlanes) {
     });
 }
 
+TEST(Validate, Lights) {
+    expect_told({
+        {"lights[1].position is not finite, or beyond 1e7 m", [](auto& d) { d.lights[1].position.y = nan; }},
+        {"lights[0].direction is not a unit vector", [](auto& d) { d.lights[0].direction.x = 0.5F; }},
+        {"lights[0].side is not a unit vector",
+         [](auto& d) {
+             d.lights[0].side = {0, 0, 0};
+         }},
+        {"lights[0].across or upward is not in 0 to 20000", [](auto& d) { d.lights[0].upward = infinite; }},
+        {"lights[0].intensity is not in 0 to 1000", [](auto& d) { d.lights[0].intensity = nan; }},
+        {"lights[0].size_m is negative, not finite, or beyond 1e7 m",
+         [](auto& d) { d.lights[0].size_m = -1; }},
+        {"lights[0].full_to_m is negative, not finite, or beyond 1e7 m",
+         [](auto& d) { d.lights[0].full_to_m = infinite; }},
+        {"lights[0].flash_hz is not in 0 to 1000", [](auto& d) { d.lights[0].flash_hz = -1; }},
+        {"lights[0].duty or phase is not in 0 to 1", [](auto& d) { d.lights[0].phase = 1.5F; }},
+        {"lights[0].beam is none of all_round, one_way, two_way",
+         [](auto& d) { d.lights[0].beam = static_cast<LightBeam>(3); }},
+        {"lights[0].fall_off is none of flat, linear, square",
+         [](auto& d) { d.lights[0].fall_off = static_cast<FallOff>(3); }},
+        {"lights[1].colour is 2, but there are 2 colours", [](auto& d) { d.lights[1].back_colour = 2; }},
+        {"lights[1].object is 4, but there are 4 objects", [](auto& d) { d.lights[1].object = 4; }},
+        {"lights[1].file is 2, but there are 2 source_files", [](auto& d) { d.lights[1].file = 2; }},
+        {"runs[0].first_light is 1, but there are 2 lights", [](auto& d) { d.runs[0].first_light = 1; }},
+        {"lights[0].place is 2; expected 0 to 1, in ascending order (in the tree of lists[0])",
+         [](auto& d) { d.lights[0].place = 2; }},
+        {"lights[1].place is 0; expected 1 to 1, in ascending order (in the tree of lists[0])",
+         [](auto& d) { d.lights[0].place = d.lights[1].place, d.lights[1].place = 0; }},
+        {"lights[1] stands in no run", [](auto& d) { d.runs[0].light_count = 1; }},
+        {"lights[0] stands in two runs (in the tree of lists[0])",
+         [](auto& d) { d.runs[1].light_count = 1; }},
+        {"lights[0] belongs to lists[3] (in the tree of lists[0])", [](auto& d) { d.lights[0].object = 3; }},
+    });
+}
+
 TEST(Validate, Tiles) {
     expect_told({
         {"tiles[0].period is 3; expected a power of two from 2 to 1024",

@@ -143,6 +143,9 @@ TEST(CheckPacket, Environment) {
         {"visibility_m is not finite", [](auto& p) { p.visibility_m = static_cast<float>(infinity); }},
         {"sky.y is 1.5; expected 0 to 1", [](auto& p) { p.sky.y = 1.5F; }},
         {"time_of_day_h is 25; expected 0 to 24", [](auto& p) { p.time_of_day_h = 25.0F; }},
+        {"colours has 1 rows; expected none, or the database's 2", [](auto& p) { p.colours.pop_back(); }},
+        {"", [](auto& p) { p.colours.clear(); }},
+        {"light_points is -1; expected 0 to 100", [](auto& p) { p.light_points = -1.0F; }},
         {"sea.state is -1; expected 0 to 9", [](auto& p) { p.sea.state = -1.0F; }},
         {"sea.current_east_mps is not finite", [](auto& p) { p.sea.current_east_mps = nan; }},
     });

@@ -69,8 +69,8 @@ TEST(PacketJson, ReadsAsTheStructsDo) {
         R"("bottom_tangent":-0.577,"top_tangent":0.577}],"suns":[[0.6,0.0,0.8]],"lighting":[{"list":3,"sun":0,)"
         R"("ambient":0.3,"diffuse":1.0,"colour":-1,"method":"as_modelled"}],"moving_objects":[],)"
         R"("substitutions":[{"slot":0,"index":27}],"normal_updates":[],"lod_bias":0.0,"visibility_m":0.0,)"
-        R"("sky":[0.6,0.72,0.86],"time_of_day_h":12.0,"sea":{"state":0.0,"current_east_mps":0.0,)"
-        R"("current_north_mps":0.0},"seed":"0x0","discontinuity":false})");
+        R"("sky":[0.6,0.72,0.86],"time_of_day_h":12.0,"colours":[],"light_points":1.0,)"
+        R"("sea":{"state":0.0,"current_east_mps":0.0,"current_north_mps":0.0},"seed":"0x0","discontinuity":false})");
 }
 
 TEST(PacketJson, TakesDefaultsForWhatIsLeftOut) {

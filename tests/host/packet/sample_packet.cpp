@@ -33,7 +33,9 @@ public:
                 add(normal);
         }
         add(p.lod_bias, p.visibility_m, p.sky, p.time_of_day_h, p.seed, p.discontinuity);
-        add(p.sea.state, p.sea.current_east_mps, p.sea.current_north_mps);
+        add(p.sea.state, p.sea.current_east_mps, p.sea.current_north_mps, p.light_points, p.colours.size());
+        for (const Colour& c : p.colours)
+            add(c.red, c.green, c.blue);
     }
     std::vector<std::uint64_t> bits;
 
@@ -92,6 +94,8 @@ FramePacket sample_packet() {
     p.sea = {1.5F, -0.4F, 0.3F};
     p.seed = 0xffffffffffffffffULL;
     p.discontinuity = true;
+    p.colours = {{255, 0, 7, 0}, {1, 2, 3, 0}};
+    p.light_points = 0.75F;
     return p;
 }
 
