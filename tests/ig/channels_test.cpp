@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -72,6 +73,74 @@ TEST(Channels, HalvesOfAPictureAreThePicture) {
         }
         EXPECT_EQ(other_face, 0);
     }
+}
+
+/// Greatest difference of a component.
+int apart(std::uint32_t a, std::uint32_t b) {
+    int most = 0;
+    for (const std::uint32_t shift : {0U, 8U, 16U})
+        most = std::max(
+            most, std::abs(static_cast<int>(a >> shift & 0xffU) - static_cast<int>(b >> shift & 0xffU)));
+    return most;
+}
+
+TEST(Channels, HalvesOfAPictureInHazeAreThePicture) {
+    VisualDatabase database = scene();
+    for (const Scan scan : {Scan::horizontal, Scan::vertical}) {
+        Configuration wide;
+        wide.raster = {400, 200, scan};
+        Configuration half = wide;
+        half.raster.width = 200;
+        ChannelView view = channel_at({0, 0, 20}, 3.0, -5.0, 7.0);
+        view.left_tangent = -1.0;
+        view.right_tangent = 1.0;
+        std::vector<ChannelView> views = {view, view};
+        views[0].right_tangent = views[1].left_tangent = 0.0;
+        Machine whole(database, wide);
+        Machine halves(database, half);
+        FramePacket one = packet_of({view});
+        FramePacket two = packet_of(views);
+        one.visibility_m = two.visibility_m = 600.0F;
+        one.sky = two.sky = {0.9F, 0.8F, 0.7F};
+        whole.frame(one);
+        halves.frame(two);
+        for (std::size_t row = 0; row < 200; ++row)
+            for (std::size_t column = 0; column < 400; ++column)
+                EXPECT_LE(apart(whole.picture(0).pixels[row * 400 + column],
+                                halves.picture(column / 200).pixels[row * 200 + column % 200]),
+                          2)
+                    << row << " " << column;
+    }
+}
+
+TEST(Channels, HazeCrossesTheSeamOfTurnedChannels) {
+    // The seam's columns are mirror images: on level ground of one colour both see the same ranges.
+    VisualDatabase database = scene();
+    database.lists[0].tile = none;
+    add_box(database, {.from = {-5000, -5000, -1}, .to = {5000, 5000, 0}, .colour = 1, .group = 0});
+    Configuration configuration;
+    configuration.raster = {480, 360, Scan::vertical};
+    Machine machine(database, configuration);
+    const double half_width = tangent(radians(24.0));
+    std::vector<ChannelView> views = {channel_at({0, 0, 20}, 24.0), channel_at({0, 0, 20}, -24.0)};
+    for (ChannelView& view : views) {
+        view.left_tangent = -half_width;
+        view.right_tangent = half_width;
+        view.bottom_tangent = -0.75 * half_width;
+        view.top_tangent = 0.75 * half_width;
+    }
+    FramePacket packet = packet_of(views);
+    packet.moving_objects[0].visible = false;
+    packet.visibility_m = 500.0F;
+    ASSERT_TRUE(machine.frame(packet).errors.empty());
+    int shades = 0;
+    for (std::size_t row = 0; row < 360; ++row) {
+        const std::uint32_t left = machine.picture(0).pixels[row * 480 + 479];
+        const std::uint32_t right = machine.picture(1).pixels[row * 480];
+        EXPECT_LE(apart(left, right), 1) << row;
+        if (row > 0) shades += left != machine.picture(0).pixels[(row - 1) * 480 + 479] ? 1 : 0;
+    }
+    EXPECT_GT(shades, 50) << "the haze is there";
 }
 
 /// Row at which the box's upper edge, the sky behind it, crosses a column, to a fraction of a pixel: smoothed edges keep it.

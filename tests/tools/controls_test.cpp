@@ -111,12 +111,19 @@ TEST_F(Controls, ViewsAndShading) {
     EXPECT_EQ(signals_.value(Signal::smooth_shading), 0.0);
 }
 
+TEST_F(Controls, TheHourGoesOnAndBack) {
+    press(Action::later, 3);
+    EXPECT_EQ(signals_.value(Signal::time_of_day), 3 * hour_step);
+    press(Action::earlier, 5);
+    EXPECT_EQ(signals_.value(Signal::time_of_day), -2 * hour_step);
+}
+
 TEST_F(Controls, ResetPutsBackEverythingButThePause) {
     update();
     update();
     press(Action::pause);
     for (const Action action :
-         {Action::sun_up, Action::sea_sun_faster, Action::view_down, Action::smooth_shading})
+         {Action::sun_up, Action::sea_sun_faster, Action::later, Action::view_down, Action::smooth_shading})
         press(action);
     press(Action::reset);
     EXPECT_EQ(update(), 0U);

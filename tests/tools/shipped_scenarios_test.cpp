@@ -13,7 +13,7 @@ class ShippedScenario : public testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedScenario, ShowsSomethingInEveryChannel) {
     FlightRequest request;
-    request.scenario_path = std::string(LINKDIG_SOURCE_DIR "/database/scenes/first_flight/") + GetParam();
+    request.scenario_path = std::string(LINKDIG_SOURCE_DIR "/database/scenes/") + GetParam();
     request.configuration = ig::ames_profile();
     request.configuration.raster.width = 96;
     request.configuration.raster.height = 72;
@@ -32,7 +32,9 @@ TEST_P(ShippedScenario, ShowsSomethingInEveryChannel) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(FirstFlight, ShippedScenario, testing::Values("approach.toml", "four_windows.toml"));
+INSTANTIATE_TEST_SUITE_P(All, ShippedScenario,
+                         testing::Values("first_flight/approach.toml", "first_flight/four_windows.toml",
+                                         "runway_lights/night_approach.toml"));
 
 } // namespace
 } // namespace linkdig::tools

@@ -48,13 +48,13 @@ TEST(Status, NoSeaNoSun) {
 TEST(Status, TellsWhatTheKeysHaveSet) {
     host::SignalValues signals;
     EXPECT_EQ(status_lines(one_sea(), packet_with(0, 0.5F), {}, signals)[1],
-              "view ahead  sea's sun 30 deg, x 1.00  smooth shading on ");
+              "view ahead  12:00  sea's sun 30 deg, x 1.00  smooth shading on ");
     signals.set(Signal::view, 3);
     signals.set(Signal::smooth_shading, 0);
     signals.set(Signal::freeze, 1);
     signals.set(Signal::sea_sun_rate, 1.25);
     EXPECT_EQ(status_lines(one_sea(), packet_with(0, 0.5F), {}, signals)[1],
-              "view down   sea's sun 30 deg, x 1.25  smooth shading off  paused");
+              "view down   12:00  sea's sun 30 deg, x 1.25  smooth shading off  paused");
 }
 
 } // namespace

@@ -11,6 +11,11 @@ NameDirectory first_flight_names() {
     names.moving_objects = {"launch", "lph2"};
     names.slots = {{"lph2.bow_wake_starboard", 29}, {"flag", 3}, {"lph2.bow_wake_port", 29}};
     names.lists = {{"sea", 1, 0.35F, 0.65F}, {"sky", 2, 0.4F, 0.6F}, {"lph2.upper", 0, 0.45F, 0.55F}};
+    for (const char* band : {"0 to 2", "2 to 4.5", "4.5 to 8", "8 to 12", "12 to 17", "17 to 23", "23 to 30",
+                             "30 to 39", "39 to 50", "50 to 64", "64 to 90"})
+        names.colours.push_back(std::string("sky ") + band);
+    names.colours.emplace_back("deck");
+    names.colour_codes.assign(names.colours.size(), Colour{180, 200, 220, 0});
     return names;
 }
 

@@ -320,7 +320,7 @@ TEST(HostLoop, EveryPacketCanBeDrawn) {
     const PacketLimits limits{.suns = 4,
                               .moving_objects = 2,
                               .lists = 3,
-                              .colours = 0,
+                              .colours = 12,
                               .alternatives = {29, 3, 29},
                               .database_id = 0x1234};
     for (const std::uint64_t frame : {0ULL, 333ULL, 2592000ULL})
@@ -330,14 +330,57 @@ TEST(HostLoop, EveryPacketCanBeDrawn) {
                     << frame << " " << each.name << " " << value;
 }
 
+TEST(HostLoop, FullDayIsAsAuthored) {
+    HostLoop loop = loop_at(30.0);
+    const FramePacket& packet = loop.packet(0, {});
+    EXPECT_EQ(packet.time_of_day_h, 15.0F);
+    EXPECT_TRUE(packet.colours.empty());
+    EXPECT_TRUE(packet.lighting.empty());
+    EXPECT_EQ(packet.sky, first_flight_scenario().sky);
+    EXPECT_FLOAT_EQ(packet.light_points, 0.3F);
+}
+
+TEST(HostLoop, AtNightFacesAndSkyAreDarkAndLampsBright) {
+    HostLoop loop = loop_at(30.0);
+    const FramePacket dusk = loop.packet(0, with(Signal::time_of_day, 3.0));
+    const FramePacket night = loop.packet(0, with(Signal::time_of_day, 8.0));
+    EXPECT_EQ(dusk.time_of_day_h, 18.0F);
+    EXPECT_EQ(night.time_of_day_h, 23.0F);
+    ASSERT_EQ(night.colours.size(), 12U);
+    EXPECT_EQ(night.light_points, 1.0F);
+    // Row 11 is the deck's, 0 and 10 the sky's horizon and zenith.
+    EXPECT_LT(night.colours[11].red, dusk.colours[11].red);
+    EXPECT_GT(night.colours[11].blue, night.colours[11].red) << "night is blue";
+    EXPECT_GT(dusk.colours[0].red, dusk.colours[0].blue) << "a red horizon at sunset";
+    EXPECT_LT(dusk.colours[10].red, dusk.colours[10].blue) << "and a blue zenith";
+    EXPECT_NEAR(dusk.sky.x * 255.0F, dusk.colours[0].red, 1.0F) << "distance fades into the horizon";
+    ASSERT_EQ(night.lighting.size(), 2U) << "every list but the sky's";
+    EXPECT_EQ(night.lighting[0].method, ShadingMethod::as_modelled);
+    EXPECT_LT(night.lighting[1].diffuse, 0.55F);
+    EXPECT_GT(night.lighting[1].ambient, 0.45F);
+    SignalValues flat = with(Signal::time_of_day, 8.0);
+    flat.set(Signal::smooth_shading, 0.0);
+    EXPECT_EQ(loop.packet(0, flat).lighting[0].method, ShadingMethod::no_smooth);
+}
+
+TEST(HostLoop, TheDayGoesByAsAuthoredAndWraps) {
+    Scenario scenario = first_flight_scenario();
+    scenario.time_of_day_h = 23.5;
+    scenario.hours_per_minute = 60.0;
+    HostLoop loop(scenario, first_flight_names(), 30.0);
+    EXPECT_FLOAT_EQ(loop.packet(0, {}).time_of_day_h, 23.5F);
+    EXPECT_FLOAT_EQ(loop.packet(30, {}).time_of_day_h, 0.5F);
+}
+
 TEST(HostLoop, AllocatesNothingAfterTheFirstFrame) {
     HostLoop loop = loop_at(30.0);
     const SignalValues plain;
     const SignalValues flat = with(Signal::smooth_shading, 0);
+    const SignalValues night = with(Signal::time_of_day, 9);
     loop.packet(0, plain);
     const std::uint64_t before = allocations();
     for (std::uint64_t frame = 1; frame < 200; ++frame)
-        loop.packet(frame, frame % 2 == 0 ? plain : flat);
+        loop.packet(frame, frame % 3 == 0 ? night : frame % 3 == 1 ? plain : flat);
     EXPECT_EQ(allocations(), before);
 }
 

@@ -206,13 +206,16 @@ TEST(ApproachFor, TheLongestThatFitsElseTheShortest) {
 
 class Bind : public testing::Test {
 protected:
-    Scenario scenario() { return loaded(sound + "[sky]\nlists = [\"dome\"]\n").scenario.value(); }
+    Scenario scenario() {
+        return loaded(sound + "[sky]\nlists = [\"dome\"]\nbands = [\"low\", \"high\"]\n").scenario.value();
+    }
     NameDirectory names() {
         NameDirectory directory;
         directory.suns = {"ocean"};
         directory.moving_objects = {"tug", "lph2"};
         directory.slots = {{"flag", 2}, {"smoke", 4}, {"wake", 28}};
         directory.lists = {{"sea", 0, 0, 1}, {"dome", 0, 0, 1}};
+        directory.colours = {"high", "grey", "low"};
         return directory;
     }
 };
@@ -226,6 +229,7 @@ TEST_F(Bind, NamesBecomeIndices) {
     EXPECT_THAT(binding.slots, ElementsAre(2));
     EXPECT_THAT(binding.slot_alternatives, ElementsAre(28));
     EXPECT_THAT(binding.sky_lists, ElementsAre(1));
+    EXPECT_THAT(binding.sky_bands, ElementsAre(2, 0));
     EXPECT_EQ(binding.sun_count, 1U);
     EXPECT_EQ(binding.moving_object_count, 2U);
 }
