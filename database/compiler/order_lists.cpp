@@ -60,7 +60,7 @@ OrderFace order_light(const ModelObject& object, const ModelLight& light, std::u
                       const Registry& registry) {
     OrderFace result;
     const Vec3d position(light.point.position);
-    result.corners.push_back({Vec4d(position, 1.0), {0, 0, 1}, 0});
+    result.corners.emplace_back().position = Vec4d(position, 1.0);
     result.is_light = true;
     result.directed = light.point.beam == LightBeam::one_way;
     result.plane.normal = Vec3d(light.point.direction);

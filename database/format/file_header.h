@@ -18,7 +18,7 @@ namespace linkdig::database {
 
 inline constexpr std::size_t header_bytes = 32;
 /// Raised whenever the meaning of a stored byte changes: a reader refuses every version but its own.
-inline constexpr std::uint32_t format_version = 2;
+inline constexpr std::uint32_t format_version = 3;
 /// FlatBuffers offsets are 32 bits with sign; half of their range is some five million faces.
 inline constexpr std::uint64_t max_payload_bytes = std::uint64_t{1} << 30U;
 

@@ -62,7 +62,8 @@ TEST(Damage, BytesAfterTheEndAreRefused) {
 TEST(Damage, AnotherVersionIsNamed) {
     Bytes file = encode_database(sample_database());
     file[8] = 9;
-    EXPECT_EQ(decode_database(file).error, "format version 9; this program reads version 1: compile it anew");
+    EXPECT_EQ(decode_database(file).error, "format version 9; this program reads version " +
+                                               std::to_string(format_version) + ": compile it anew");
 }
 
 TEST(Damage, IsTheSameOnDisk) {
