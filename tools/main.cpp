@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
     linkdig::tools::add_inspect(app, exit_code);
     linkdig::tools::add_render(app, exit_code);
     linkdig::tools::add_why(app, exit_code);
+    linkdig::tools::add_check(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {

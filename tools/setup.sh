@@ -18,6 +18,7 @@ demo_packages=(
     libglm-dev libfmt-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
     libflatbuffers-dev flatbuffers-compiler libxxhash-dev
     libopenimageio-dev fonts-dejavu-core
+    libembree-dev
     libsdl2-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
 )
 test_packages=(

@@ -18,5 +18,6 @@ void add_inspect(CLI::App& app, int& exit_code);
 void add_demo(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
 void add_why(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
 
 } // namespace linkdig::tools
