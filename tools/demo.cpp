@@ -1,11 +1,9 @@
 /// linkdig demo: the shipped approach to LPH-2, in a window or as files.
 
-#include "tools/film/film.h"
 #include "tools/flight/arguments.h"
 #include "tools/flight/capacity_options.h"
-#include "tools/flight/dump.h"
 #include "tools/flight/flight.h"
-#include "tools/flight/progress.h"
+#include "tools/flight/fly_files.h"
 #include "tools/flight/shipped_scenes.h"
 #include "tools/fly/fly.h"
 #include "tools/fly/window.h"
@@ -14,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -53,47 +50,20 @@ FlightRequest request_of(const DemoOptions& options, bool headless) {
     return request;
 }
 
-void summarise(const Flight& flight, std::uint64_t overruns) {
-    const FlightCosts& costs = flight.costs();
-    const double mean_ms =
-        costs.frames == 0 ? 0.0 : 1000.0 * costs.machine_s / static_cast<double>(costs.frames);
-    fmt::print("{} frames at {:g} Hz; image generator {:.2f} ms a frame, at most {:.2f} ms; {} overruns; "
-               "at most {} edges in a frame\n",
-               costs.frames, flight.loop().update_rate_hz(), mean_ms, 1000.0 * costs.worst_s, overruns,
-               costs.most_edges);
-    print_overload(costs);
-}
-
 std::unique_ptr<RetroDisplay> display_of(const DemoOptions& options, const ig::Configuration& built_as) {
     if (options.display != "retro") return nullptr;
     return std::make_unique<RetroDisplay>(built_as.raster, built_as.fields);
 }
 
-int fly_as_files(const DemoOptions& options) {
+int write_demo(const DemoOptions& options) {
     require_fonts();
     Flight flight(request_of(options, true));
-    const ig::Configuration& built_as = flight.configuration();
-    const ig::Raster& raster = built_as.raster;
-    const auto display = display_of(options, built_as);
-    const std::uint32_t fields = display ? display->fields() : 1;
-    DumpRequest dump;
-    dump.folder = options.out;
-    dump.film_name = video_files() ? "approach" : "";
-    dump.frames = fields * options.frames.value_or(flight.loop().frames());
-    dump.frames_per_second = fields * static_cast<std::uint32_t>(std::lround(flight.loop().update_rate_hz()));
-    dump.width = display ? display->width() : raster.width;
-    dump.height = display ? display->height() : raster.height;
-    dump.heading = fmt::format("linkdig demo: {}, {} frames, {} x {}, profile {}", flight.scenario().name,
-                               dump.frames, raster.width, raster.height, built_as.name);
-    dump.progress = stderr_is_terminal();
-    const host::SignalValues as_the_scenario_says;
-    dump_flight(dump, [&](std::uint64_t frame) -> const ig::VideoFrame& {
-        if (frame % fields == 0) flight.draw(frame / fields, as_the_scenario_says);
-        const ig::VideoFrame& picture = flight.machine().picture(0);
-        return display ? display->show(picture, static_cast<std::uint32_t>(frame % fields)) : picture;
-    });
-    fmt::print("{}: frame_000000.png to frame_{:06}.png, {}contact.png\n", dump.folder, dump.frames - 1,
-               dump.film_name.empty() ? "" : dump.film_name + ".mp4, ");
+    fly_as_files(flight,
+                 {.folder = options.out,
+                  .name = "approach",
+                  .heading = fmt::format("linkdig demo: {}", flight.scenario().name),
+                  .frames = options.frames.value_or(0)},
+                 display_of(options, flight.configuration()).get());
     summarise(flight, 0); // a virtual clock waits for every frame
     return ExitCode::done;
 }
@@ -115,9 +85,9 @@ int run(const DemoOptions& options) {
     const FlightRequest request = request_of(options, false);
     const auto display = display_of(options, request.configuration);
     const auto window = options.headless ? nullptr : window_for(request.configuration, display.get());
-    if (!window) return fly_as_files(options);
+    if (!window) return write_demo(options);
     Flight flight(request);
-    const FlyResult flown = fly(flight, *window, options.frames.value_or(0), display.get());
+    const FlyResult flown = fly(flight, *window, {.updates = options.frames.value_or(0)}, display.get());
     summarise(flight, flown.overruns);
     return ExitCode::done;
 }

@@ -42,6 +42,9 @@ int run(int argc, char** argv) {
     linkdig::tools::add_compile(app, exit_code);
     linkdig::tools::add_inspect(app, exit_code);
     linkdig::tools::add_render(app, exit_code);
+    linkdig::tools::add_fly(app, exit_code);
+    linkdig::tools::add_record(app, exit_code);
+    linkdig::tools::add_replay(app, exit_code);
     linkdig::tools::add_why(app, exit_code);
     linkdig::tools::add_check(app, exit_code);
     try {

@@ -1,9 +1,12 @@
 #include "host/loop/host_loop.h"
 
+#include "host/loop/host_values.h"
+#include "host/loop/turned_normals.h"
 #include "host/motion/view.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace linkdig::host {
 
@@ -13,47 +16,96 @@ const FramePacket& HostLoop::packet(std::uint64_t frame, const SignalValues& sig
     packet_.discontinuity = frame == 0;
     turn_suns(frame, signals);
     move_ships(packet_.time_s, signals);
-    point_slots(frame);
-    look(packet_.time_s, signals);
+    point_slots(frame, signals);
+    look(frame, signals);
     shade(signals);
     see(signals);
     pass_day(signals);
+    keep_host_values(signals, own_ship_.state(), packet_);
     return packet_;
 }
 
-void HostLoop::turn_suns(std::uint64_t frame, const SignalValues& signals) {
-    for (const TurningSun& each : turning_suns_) {
-        SunPosition position = each.sun.position(frame, signals[Signal::sea_sun_rate]);
-        position.azimuth_rad += signals[Signal::sea_sun_azimuth];
+SunPosition HostLoop::sea_sun(const TurningSun& sun, std::uint64_t frame, const SignalValues& signals) const {
+    SunPosition position = sun.sun.position(frame, signals[Signal::sea_sun_rate],
+                                            signals[Signal::sea_sun_elevation_rate] / update_rate_hz_,
+                                            signals[Signal::sea_sun_elevation_phase]);
+    if (const auto state = static_cast<std::size_t>(signals[Signal::sea_state]); state != 0)
+        position.elevation_rad = std::clamp(
+            radians(sea_states[state - 1].elevation_deg) + signals[Signal::sea_sun_elevation], 0.0, pi / 2.0);
+    else
         position.elevation_rad = std::clamp(position.elevation_rad + signals[Signal::sea_sun_elevation],
-                                            each.sun.least_elevation_rad, each.sun.greatest_elevation_rad);
-        packet_.suns[each.row] = sun_vector(position);
+                                            sun.sun.least_elevation_rad, sun.sun.greatest_elevation_rad);
+    position.azimuth_rad += signals[Signal::sea_sun_azimuth];
+    return position;
+}
+
+void HostLoop::turn_suns(std::uint64_t frame, const SignalValues& signals) {
+    for (const TurningSun& each : sea_suns_)
+        packet_.suns[each.row] = sun_vector(sea_sun(each, frame, signals));
+    for (const TurningSun& each : other_suns_)
+        packet_.suns[each.row] = sun_vector(each.sun.position(frame));
+    const auto state = static_cast<std::size_t>(signals[Signal::sea_state]);
+    packet_.sea.state = state == 0 ? sea_state_ : static_cast<float>(sea_states[state - 1].state);
+    if (sea_method(signals) == SeaMethod::normals)
+        turn_the_normals(frame, signals);
+    else if (!packet_.normal_updates.empty()) {
+        sea_update_ = std::move(packet_.normal_updates.front()); // with its memory
+        packet_.normal_updates.clear();
     }
+}
+
+SeaMethod HostLoop::sea_method(const SignalValues& signals) const {
+    if (!can_turn_normals() || !signals.on(Signal::sea_method)) return sea_method_;
+    return sea_method_ == SeaMethod::sun ? SeaMethod::normals : SeaMethod::sun;
+}
+
+/// The sun stays where it is and the normals turn the other way: n . s is the same.
+void HostLoop::turn_the_normals(std::uint64_t frame, const SignalValues& signals) {
+    const auto same = [&](const TurningSun& each) { return each.row == sea_sun_row_; };
+    const auto sun = std::ranges::find_if(sea_suns_, same);
+    if (sun == sea_suns_.end()) return;
+    const auto asked = static_cast<std::uint64_t>(signals[Signal::normals_every]);
+    const std::uint64_t every = asked != 0 ? asked : normals_every_;
+    SunPosition held = sea_sun(*sun, frame / every * every, signals);
+    if (packet_.normal_updates.empty()) packet_.normal_updates.push_back(std::move(sea_update_));
+    turn_normals(sea_normals_, sun->sun.initial.azimuth_rad - held.azimuth_rad,
+                 packet_.normal_updates.front());
+    held.azimuth_rad = sun->sun.initial.azimuth_rad;
+    packet_.suns[sun->row] = sun_vector(held);
 }
 
 void HostLoop::move_ships(double time_s, const SignalValues& signals) {
-    for (const Ship& each : ships_)
-        packet_.moving_objects[each.row] =
-            ship_at(each.track, each.motion, time_s, signals[Signal::pitch_amplitude]);
+    const MotionFactors factors{.all = signals[Signal::ship_motion],
+                                .pitch = signals[Signal::pitch_amplitude]};
+    for (const Ship& each : ships_) {
+        const Steering steering = each.track.at(time_s);
+        packet_.moving_objects[each.row] = ship_at(steering, each.mover.at(time_s, steering), factors);
+    }
 }
 
-void HostLoop::point_slots(std::uint64_t frame) {
-    for (std::size_t i = 0; i < pointers_.size(); ++i)
-        packet_.substitutions[i].index = pointers_[i].sequence.index(frame);
+void HostLoop::point_slots(std::uint64_t frame, const SignalValues& signals) {
+    packet_.substitutions.clear(); // keeps its memory
+    packet_.priorities.clear();
+    for (const Pointer& each : pointers_)
+        packet_.substitutions.push_back({each.slot, each.sequence.index(frame)});
+    for (std::size_t i = 0; i < ships_.size(); ++i) {
+        const MovingObject& ship = packet_.moving_objects[ships_[i].row];
+        methods_[i].put(ship, signals, frame, packet_);
+        methods_[i].roll_cams(ship, signals, frame, packet_);
+    }
 }
 
-void HostLoop::look(double time_s, const SignalValues& signals) {
-    const ShipTrack& track = ships_[approached_].track;
-    const Mat3d world_from_mean = track.world_from_mean();
-    const EyeAndAim flown = approach_.at(time_s);
-    const Vec3d eye_m = track.position_m(time_s) + world_from_mean * flown.eye_m;
-    const Attitude own_ship = looking_along(world_from_mean * (flown.aim_m - flown.eye_m));
-    const Attitude head = mounted(own_ship, view_offsets[static_cast<std::size_t>(signals[Signal::view])]);
+void HostLoop::look(std::uint64_t frame, const SignalValues& signals) {
+    const Pose own_ship = own_ship_.at(frame, signals);
+    const Attitude head =
+        mounted(own_ship.attitude, view_offsets[static_cast<std::size_t>(signals[Signal::view])]);
     for (std::size_t i = 0; i < packet_.channels.size(); ++i) {
-        packet_.channels[i].eye_m = eye_m;
+        packet_.channels[i].eye_m = own_ship.position_m;
         packet_.channels[i].attitude = mounted(head, mounts_[i]);
     }
 }
+
+void HostLoop::resume(const FramePacket& packet) { own_ship_.resume(packet.frame, own_ship_of(packet)); }
 
 void HostLoop::shade(const SignalValues& signals) {
     packet_.lighting.clear(); // keeps its memory
@@ -73,11 +125,22 @@ SignalValues HostLoop::with_sea_sun_rate(const SignalValues& signals, double rat
                                          std::uint64_t frame) const {
     SignalValues changed = signals;
     changed.set(Signal::sea_sun_rate, rate);
-    if (turning_suns_.empty()) return changed;
-    const OceanSun& sun = turning_suns_.front().sun;
+    if (sea_suns_.empty()) return changed;
+    const OceanSun& sun = sea_suns_.front().sun;
     const double before = sun.position(frame, signals[Signal::sea_sun_rate]).azimuth_rad;
     const double after = sun.position(frame, changed[Signal::sea_sun_rate]).azimuth_rad;
     changed.set(Signal::sea_sun_azimuth, modulo(signals[Signal::sea_sun_azimuth] + before - after, two_pi));
+    return changed;
+}
+
+SignalValues HostLoop::with_sea_sun_elevation_rate(const SignalValues& signals, double rate_rad_s,
+                                                   std::uint64_t frame) const {
+    SignalValues changed = signals;
+    changed.set(Signal::sea_sun_elevation_rate, rate_rad_s);
+    const double per_frame =
+        (signals[Signal::sea_sun_elevation_rate] - changed[Signal::sea_sun_elevation_rate]) / update_rate_hz_;
+    changed.set(Signal::sea_sun_elevation_phase,
+                signals[Signal::sea_sun_elevation_phase] + per_frame * static_cast<double>(frame));
     return changed;
 }
 

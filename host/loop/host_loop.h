@@ -2,7 +2,8 @@
 /// The host's loop: from a frame number and the signals to the frame packet.
 
 #include "host/loop/face_sequence.h"
-#include "host/motion/approach_path.h"
+#include "host/loop/own_ship.h"
+#include "host/loop/ship_methods.h"
 #include "host/motion/daylight.h"
 #include "host/motion/ship.h"
 #include "host/motion/sun.h"
@@ -31,13 +32,26 @@ public:
     HostLoop(const Scenario& scenario, const NameDirectory& directory, double update_rate_hz,
              double picture_aspect = 4.0 / 3.0);
 
-    /// The packet of a simulated frame: a pure function of the frame number and the signals. Valid until the
-    /// next call. Nothing is allocated after the first call.
+    /// The packet of a simulated frame: a pure function of the frame number and the signals, and, while the own ship is flown by
+    /// hand, of her state in the frame before. Valid until the next call. Nothing is allocated after the first call of each
+    /// sea method.
     const FramePacket& packet(std::uint64_t frame, const SignalValues& signals);
 
+    /// Takes up a flight where a packet of it stands: the next frame follows that packet's.
+    void resume(const FramePacket& packet);
+
     /// The signals with another sea_sun_rate, and with sea_sun_azimuth so that turning suns stand where they
-    /// stood in this frame: the sea changes its pace without a jump. Exact for the first turning sun.
+    /// stood in this frame: the sea changes its pace without a jump. Exact for the first of the sea's suns.
     SignalValues with_sea_sun_rate(const SignalValues& signals, double rate, std::uint64_t frame) const;
+    /// The same for the other increment: sea_sun_elevation_rate, with sea_sun_elevation_phase.
+    SignalValues with_sea_sun_elevation_rate(const SignalValues& signals, double rate_rad_s,
+                                             std::uint64_t frame) const;
+
+    /// What each ship shows and can show, in the scenario's order; names as in the scenario.
+    const std::vector<ShipMethods>& ship_methods() const { return methods_; }
+    const std::vector<std::string>& ship_names() const { return ship_names_; }
+    bool can_turn_normals() const { return !sea_normals_.empty(); }
+    SeaMethod sea_method(const SignalValues& signals) const;
 
     /// Frames of the whole scenario, at least 1.
     std::uint64_t frames() const { return frames_; }
@@ -51,7 +65,7 @@ private:
     struct Ship {
         std::uint32_t row;
         ShipTrack track;
-        ShipMotion motion;
+        ShipMover mover;
     };
     /// What the time of day starts from.
     struct Day {
@@ -69,17 +83,23 @@ private:
 
     void place_suns(const Scenario& scenario, const Binding& binding);
     void place_ships(const Scenario& scenario, const Binding& binding);
+    void check_ways(const Scenario& scenario, const NameDirectory& directory) const;
+    void choose_sea(const Scenario& scenario, const NameDirectory& directory, const Binding& binding);
+    void begin_own_ship(const Scenario& scenario);
+    static OwnShipProgram program_of(const Scenario& scenario);
+    static ShipTrack track_of(const Scenario& scenario, const std::string& moving_object);
     void place_channels(const Scenario& scenario, double picture_aspect);
     void start_sequences(const Scenario& scenario, const Binding& binding);
-    void choose_approach(const Scenario& scenario);
     void fill_constants(const Scenario& scenario);
     void light_without_smoothing(const NameDirectory& directory, const Binding& binding);
     void remember_day(const Scenario& scenario, const NameDirectory& directory, const Binding& binding);
 
     void turn_suns(std::uint64_t frame, const SignalValues& signals);
+    SunPosition sea_sun(const TurningSun& sun, std::uint64_t frame, const SignalValues& signals) const;
+    void turn_the_normals(std::uint64_t frame, const SignalValues& signals);
     void move_ships(double time_s, const SignalValues& signals);
-    void point_slots(std::uint64_t frame);
-    void look(double time_s, const SignalValues& signals);
+    void point_slots(std::uint64_t frame, const SignalValues& signals);
+    void look(std::uint64_t frame, const SignalValues& signals);
     void shade(const SignalValues& signals);
     void see(const SignalValues& signals);
     void pass_day(const SignalValues& signals);
@@ -88,12 +108,20 @@ private:
 
     double update_rate_hz_;
     std::uint64_t frames_ = 1;
-    std::vector<TurningSun> turning_suns_;
+    std::vector<TurningSun> sea_suns_;   ///< that the signals reach
+    std::vector<TurningSun> other_suns_; ///< turning ones that they leave alone: the churned water's
     std::vector<Ship> ships_;
     std::vector<Pointer> pointers_;
     std::vector<Attitude> mounts_; ///< of the channels on the own ship
-    ApproachPath approach_;
-    std::size_t approached_ = 0; ///< index into ships_
+    OwnShip own_ship_;
+    std::vector<ShipMethods> methods_; ///< parallel to ships_
+    std::vector<std::string> ship_names_;
+    SeaMethod sea_method_ = SeaMethod::sun;
+    std::uint32_t normals_every_ = 1;
+    std::uint32_t sea_sun_row_ = 0; ///< of the sea's list
+    std::vector<Vec3f> sea_normals_;
+    VertexNormalUpdate sea_update_; ///< while the packet has none
+    float sea_state_ = 0.0F;
     double visibility_m_ = 0.0;
     Day day_;
     std::vector<ListLighting> without_smoothing_;

@@ -2,11 +2,13 @@
 
 namespace linkdig::host {
 
-std::uint64_t SimulationCounter::next(const SignalValues& signals) {
-    const bool advance = !signals.on(Signal::freeze) || signals.on(Signal::single_step);
+std::uint64_t SimulationCounter::next(const SignalValues& signals, std::uint64_t slots) {
+    const bool frozen = signals.on(Signal::freeze);
     if (!started_ || signals.on(Signal::reset))
         frame_ = 0;
-    else if (advance)
+    else if (!frozen)
+        frame_ += slots;
+    else if (signals.on(Signal::single_step))
         ++frame_;
     started_ = true;
     return frame_;

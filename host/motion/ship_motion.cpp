@@ -1,6 +1,7 @@
 #include "host/motion/ship_motion.h"
 
 #include "database/model/mathematics.h"
+#include "database/model/rotation.h"
 
 #include <cmath>
 
@@ -92,6 +93,29 @@ ShipMotion::ShipMotion(const Seaway& seaway, const ShipResponse& response, doubl
         }
         limit(harmonics_[axis], response.axes[axis].limit);
     }
+}
+
+CurvedMotion::CurvedMotion(const Seaway& seaway, const ShipResponse& response, double speed_mps)
+    : waves_(wave_components(seaway)), response_(response), travel_heading_rad_(seaway.travel_heading_rad),
+      speed_mps_(speed_mps) {}
+
+ShipMotionValues CurvedMotion::at(double time_s, const Steering& steering) const {
+    const double mu = travel_heading_rad_ - steering.heading_rad;
+    const double along_m = glm::dot(steering.position_m, direction(travel_heading_rad_, 0.0));
+    ShipMotionValues values{};
+    for (std::size_t axis = 0; axis < ship_axes; ++axis) {
+        double sum = 0.0;
+        for (const WaveComponent& wave : waves_) {
+            const double encounter = encounter_frequency(wave.frequency_rad_s, speed_mps_, mu);
+            const Harmonic each = harmonic(static_cast<ShipAxis>(axis), response_, wave, mu, encounter);
+            values[axis] += each.amplitude * cosine(wave.frequency_rad_s * time_s -
+                                                    wave.wave_number_rad_m * along_m + each.phase_rad);
+            sum += std::fabs(each.amplitude);
+        }
+        const double greatest = response_.axes[axis].limit;
+        if (sum > greatest) values[axis] *= greatest / sum; // changes with the course, without a jump
+    }
+    return values;
 }
 
 ShipMotionValues ShipMotion::at(double time_s) const {

@@ -3,6 +3,7 @@
 /// measured tables of any ship.
 
 #include "host/motion/seaway.h"
+#include "host/motion/track.h"
 
 #include <array>
 #include <cstddef>
@@ -59,6 +60,24 @@ public:
 
 private:
     std::array<std::vector<Harmonic>, ship_axes> harmonics_;
+};
+
+/// The motion of a ship whose course changes: the same waves and responses as ShipMotion, the phase of each wave taken where she
+/// is and her answer to it on the course that she is on (quasi-steady: what the course was before plays no part). On a straight
+/// course it is ShipMotion's.
+class CurvedMotion {
+public:
+    CurvedMotion() = default;
+    CurvedMotion(const Seaway& seaway, const ShipResponse& response, double speed_mps);
+    bool empty() const { return waves_.empty(); }
+    /// A pure function. |time| up to 100,000 s.
+    ShipMotionValues at(double time_s, const Steering& steering) const;
+
+private:
+    std::vector<WaveComponent> waves_;
+    ShipResponse response_;
+    double travel_heading_rad_ = 0.0;
+    double speed_mps_ = 0.0;
 };
 
 /// What one wave of unit amplitude does to an axis, before the axis responds: contour of the water and path

@@ -29,7 +29,13 @@ struct OceanSun {
 
     /// Position in a frame; azimuth in [0, 2 pi). `rate_factor` multiplies the azimuth increment for all
     /// frames from 0.
-    SunPosition position(std::uint64_t frame, double rate_factor = 1.0) const;
+    SunPosition position(std::uint64_t frame, double rate_factor = 1.0) const {
+        return position(frame, rate_factor, 0.0, 0.0);
+    }
+    /// The same with another elevation increment on top of its own, and with `phase_rad` added before the elevation is
+    /// reflected.
+    SunPosition position(std::uint64_t frame, double rate_factor, double more_elevation_rad,
+                         double phase_rad) const;
 };
 
 /// x reflected to and fro between two limits, as a ball between two walls; the lower limit if they are equal.

@@ -183,6 +183,15 @@ std::string check_normal_updates(const FramePacket& packet, const PacketLimits& 
     return {};
 }
 
+std::string check_priorities(const FramePacket& packet, const PacketLimits& limits) {
+    for (std::size_t i = 0; i < packet.priorities.size(); ++i)
+        if (std::string reason = check_index({"priorities", i, "cluster"}, packet.priorities[i].cluster,
+                                             limits.clusters, "clusters");
+            !reason.empty())
+            return reason;
+    return {};
+}
+
 std::string check_environment(const FramePacket& packet, const PacketLimits& limits) {
     if (packet.database_id != 0 && limits.database_id != 0 && packet.database_id != limits.database_id)
         return fmt::format("database_id is {:016x}; the database in use has {:016x}", packet.database_id,
@@ -221,6 +230,7 @@ PacketLimits packet_limits(const VisualDatabase& database, std::uint64_t databas
     limits.moving_objects = database.moving_objects.size();
     limits.lists = database.lists.size();
     limits.colours = database.colours.size();
+    limits.clusters = database.clusters.size();
     for (const SubstitutionSlot& slot : database.slots)
         limits.alternatives.push_back(slot.alternatives);
     limits.database_id = database_id;
@@ -229,7 +239,7 @@ PacketLimits packet_limits(const VisualDatabase& database, std::uint64_t databas
 
 std::string check_packet(const FramePacket& packet, const PacketLimits& limits) {
     for (const auto& check : {check_channels, check_suns, check_lighting, check_moving_objects,
-                              check_substitutions, check_normal_updates, check_environment})
+                              check_substitutions, check_normal_updates, check_priorities, check_environment})
         if (std::string reason = check(packet, limits); !reason.empty()) return reason;
     return {};
 }

@@ -16,6 +16,7 @@ struct PacketLimits {
     std::size_t moving_objects = 0; ///< FramePacket::moving_objects has this many rows
     std::size_t lists = 0;
     std::size_t colours = 0;
+    std::size_t clusters = 0;
     std::vector<std::uint32_t> alternatives; ///< of each slot
     std::uint64_t database_id = 0;           ///< 0: do not check
 };

@@ -60,6 +60,20 @@ struct VertexNormalUpdate {
     std::vector<Vec3f> normals;
 };
 
+/// Another priority number for a cluster in this frame: the report's real-time program sets the priorities of lists at its
+/// initialization (3.3.1.1). The cluster leaves its group; of equal numbers it comes after the whole group.
+struct ClusterPriority {
+    std::uint32_t cluster = 0; ///< index into VisualDatabase::clusters
+    std::int32_t number = 0;   ///< the lower wins
+};
+
+/// Something that the host itself stood at when it made the packet (a signal, its own ship's state; host/loop/host_values.h).
+/// The image generator does not look at it; a recording keeps it.
+struct HostValue {
+    std::uint32_t index = 0;
+    double value = 0.0;
+};
+
 /// Parameters of the sea that generators at frame time may use; nothing from ig/geometry down reads them.
 struct SeaParameters {
     float state = 0; ///< report's sea state: 0, 1.5 ("1-2"), 3
@@ -89,6 +103,8 @@ struct FramePacket {
     SeaParameters sea;
     std::uint64_t seed = 0;
     bool discontinuity = false; ///< the viewpoint or the scene jumped: histories start anew
+    std::vector<ClusterPriority> priorities;
+    std::vector<HostValue> host_values;
 };
 
 } // namespace linkdig

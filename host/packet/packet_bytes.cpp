@@ -40,10 +40,11 @@ FlatNormals flatten(const std::vector<VertexNormalUpdate>& updates) {
 
 /// Not less than the packet will take.
 std::uint64_t most_bytes(const FramePacket& p) {
-    std::uint64_t bytes = 1024 + p.channels.size() * sizeof(stored::ChannelView) +
-                          p.suns.size() * sizeof(Vec3f) + p.lighting.size() * sizeof(ListLighting) +
-                          p.moving_objects.size() * sizeof(stored::MovingObject) +
-                          p.substitutions.size() * sizeof(Substitution) + p.colours.size() * sizeof(Colour);
+    std::uint64_t bytes =
+        1024 + p.channels.size() * sizeof(stored::ChannelView) + p.suns.size() * sizeof(Vec3f) +
+        p.lighting.size() * sizeof(ListLighting) + p.moving_objects.size() * sizeof(stored::MovingObject) +
+        p.substitutions.size() * sizeof(Substitution) + p.priorities.size() * sizeof(ClusterPriority) +
+        p.host_values.size() * sizeof(stored::HostValue) + p.colours.size() * sizeof(Colour);
     for (const VertexNormalUpdate& update : p.normal_updates)
         bytes += sizeof(stored::VertexNormalUpdate) + update.normals.size() * sizeof(Vec3f);
     return bytes;
@@ -82,7 +83,9 @@ bool copy_tables(const stored::FramePacket& from, FramePacket& to) {
            copy_rows(*from.lighting(), to.lighting) && copy_rows(*from.moving_objects(), to.moving_objects) &&
            copy_rows(*from.substitutions(), to.substitutions) && copy_rows(*from.normals(), aligned) &&
            (from.colours() == nullptr || copy_rows(*from.colours(), to.colours)) &&
-           unflatten(from, to.normal_updates);
+           unflatten(from, to.normal_updates) &&
+           (from.priorities() == nullptr || copy_rows(*from.priorities(), to.priorities)) &&
+           (from.host_values() == nullptr || copy_rows(*from.host_values(), to.host_values));
 }
 
 void copy_numbers(const stored::FramePacket& from, FramePacket& to) {
@@ -128,6 +131,11 @@ std::vector<std::uint8_t> encode_packet(const FramePacket& packet) {
     const auto normal_updates = builder.CreateVectorOfStructs(flat.updates);
     const auto normals = stored_rows(builder, flat.normals);
     const auto colours = stored_rows(builder, packet.colours);
+    // Tables that most packets leave empty are left out, so that older packets keep their bytes.
+    flatbuffers::Offset<flatbuffers::Vector<const stored::ClusterPriority*>> priorities;
+    if (!packet.priorities.empty()) priorities = stored_rows(builder, packet.priorities);
+    flatbuffers::Offset<flatbuffers::Vector<const stored::HostValue*>> host_values;
+    if (!packet.host_values.empty()) host_values = stored_rows(builder, packet.host_values);
     const stored::Vec3 sky = to_stored(packet.sky);
     const stored::SeaParameters sea = to_stored(packet.sea);
     // A float or double that equals the schema's default (0) is left out, and -0 equals 0.
@@ -135,7 +143,8 @@ std::vector<std::uint8_t> encode_packet(const FramePacket& packet) {
     const auto root = stored::CreateFramePacket(
         builder, packet.frame, packet.time_s, packet.database_id, channels, suns, lighting, moving_objects,
         substitutions, normal_updates, normals, packet.lod_bias, packet.visibility_m, &sky,
-        packet.time_of_day_h, &sea, packet.seed, packet.discontinuity, colours, packet.light_points);
+        packet.time_of_day_h, &sea, packet.seed, packet.discontinuity, colours, packet.light_points,
+        priorities, host_values);
     stored::FinishFramePacketBuffer(builder, root);
     return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }

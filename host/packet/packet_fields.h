@@ -65,6 +65,16 @@ void fields(auto& visit, Is<Colour> auto& colour) {
     visit.required("blue", colour.blue);
 }
 
+void fields(auto& visit, Is<ClusterPriority> auto& priority) {
+    visit.required("cluster", priority.cluster);
+    visit.required("number", priority.number);
+}
+
+void fields(auto& visit, Is<HostValue> auto& value) {
+    visit.required("index", value.index);
+    visit.required("value", value.value);
+}
+
 void fields(auto& visit, Is<SeaParameters> auto& sea) {
     visit("state", sea.state);
     visit("current_east_mps", sea.current_east_mps);
@@ -90,6 +100,8 @@ void fields(auto& visit, Is<FramePacket> auto& packet) {
     visit("sea", packet.sea);
     visit.bits("seed", packet.seed);
     visit("discontinuity", packet.discontinuity);
+    visit("priorities", packet.priorities);
+    visit("host_values", packet.host_values);
 }
 
 inline constexpr const char* shading_method_names[] = {"as_modelled", "no_smooth"};

@@ -5,9 +5,8 @@
 ///   header   0  8  magic            8  4  format version     12  4  reserved, zero
 ///           16  8  database id     24  8  update rate, Hz (double)
 ///           32  8  xxHash64 (seed 0) of bytes 0 to 31
-///   records, each: 8 length of its bytes, 8 hash, bytes. Record 0 is the image generator's history, one
-///   opaque value,
-///     maybe empty; record n is the n-th packet (packet_bytes.h). The hash covers the record's number, its
+///   records, each: 8 length of its bytes, 8 hash, bytes. Record 0: 4 length of the database's path, the path,
+///     and the image generator's history, one opaque value, maybe empty; record n is the n-th packet (packet_bytes.h). The hash covers the record's number, its
 ///     length and its bytes, so that no record can be changed, moved or lost unnoticed.
 ///   end: a record of length 2^64-1 without bytes. A file without it was cut short.
 
@@ -27,6 +26,7 @@ struct RecordingHeader {
     std::uint64_t database_id =
         0; ///< of the compiled database that the packets' indices refer to; 0: not known
     double update_rate_hz = 60.0; ///< more than 0, at most 10000
+    std::string database{};       ///< where it was read from, .toml or .igdb; empty: not known
     bool operator==(const RecordingHeader&) const = default;
 };
 
@@ -71,6 +71,7 @@ public:
 
 private:
     void read_header();
+    void read_source();
     /// False at the end record.
     bool record(std::vector<std::uint8_t>& bytes);
     std::uint64_t bytes_left();

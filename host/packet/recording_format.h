@@ -8,7 +8,8 @@
 namespace linkdig::recording_format {
 
 inline constexpr std::array<std::uint8_t, 8> magic = {'L', 'I', 'N', 'K', 'R', 'E', 'C', 0};
-inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint32_t version = 2;
+inline constexpr std::uint32_t most_path_bytes = 65536;
 inline constexpr std::size_t header_bytes = 40;
 inline constexpr std::size_t record_header_bytes = 16;
 inline constexpr std::uint64_t end_length = ~std::uint64_t{0};

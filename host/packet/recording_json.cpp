@@ -48,6 +48,7 @@ HeaderLine header_of(const std::string& line) {
     HeaderLine made;
     reader.bits("database_id", made.header.database_id);
     reader("update_rate_hz", made.header.update_rate_hz);
+    reader("database", made.header.database);
     std::string digits;
     reader("history", digits);
     made.history = bytes_of(digits);
@@ -62,6 +63,7 @@ void recording_to_json(RecordingReader& recording, std::ostream& text) {
     header["linkdig_recording"] = text_version;
     header["database_id"] = hexadecimal(recording.header().database_id);
     header["update_rate_hz"] = recording.header().update_rate_hz;
+    if (!recording.header().database.empty()) header["database"] = recording.header().database;
     header["history"] = digits_of(recording.history());
     text << header.dump() << '\n';
     FramePacket packet;

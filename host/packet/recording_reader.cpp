@@ -56,6 +56,7 @@ RecordingReader::RecordingReader(std::unique_ptr<std::istream> stream, std::stri
     stream_->seekg(0);
     read_header();
     if (!record(history_)) refuse("damaged: it ends before its history");
+    read_source();
 }
 
 void RecordingReader::read_header() {
@@ -75,6 +76,19 @@ void RecordingReader::read_header() {
     if (format::load<std::uint32_t>(bytes, 12) != 0 ||
         !(header_.update_rate_hz > 0.0 && header_.update_rate_hz <= format::max_update_rate_hz))
         refuse("damaged: the header's values are out of range");
+}
+
+/// The database's path stands before the history.
+void RecordingReader::read_source() {
+    const std::size_t length = history_.size() < 4 ? 0 : format::load<std::uint32_t>(history_, 0);
+    if (history_.size() < 4 || length > format::most_path_bytes || length > history_.size() - 4) {
+        records_ = 0;
+        refuse("damaged: the database's path is longer than its record");
+    }
+    const auto path = history_.begin() + 4;
+    const auto end = path + static_cast<std::ptrdiff_t>(length);
+    header_.database.assign(path, end);
+    history_.erase(history_.begin(), end);
 }
 
 bool RecordingReader::next(FramePacket& packet) {

@@ -43,8 +43,13 @@ RecordingWriter::RecordingWriter(const std::string& path, const RecordingHeader&
     errno = 0;
     file_.open(path, std::ios::binary | std::ios::trunc);
     if (!file_) refuse(path_, last_error());
+    if (header.database.size() > format::most_path_bytes) refuse(path_, "the database's path is too long");
     put(header_of(header));
-    record(history);
+    std::vector<std::uint8_t> first(4);
+    format::store(first, 0, static_cast<std::uint32_t>(header.database.size()));
+    first.insert(first.end(), header.database.begin(), header.database.end());
+    first.insert(first.end(), history.begin(), history.end());
+    record(first);
 }
 
 RecordingWriter::~RecordingWriter() {

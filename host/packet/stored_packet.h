@@ -67,6 +67,12 @@ inline Substitution from_stored(const stored::Substitution& s) { return {s.slot(
 inline stored::Colour to_stored(const Colour& c) { return {c.red, c.green, c.blue}; }
 inline Colour from_stored(const stored::Colour& c) { return {c.red(), c.green(), c.blue(), 0}; }
 
+inline stored::ClusterPriority to_stored(const ClusterPriority& c) { return {c.cluster, c.number}; }
+inline ClusterPriority from_stored(const stored::ClusterPriority& c) { return {c.cluster(), c.number()}; }
+
+inline stored::HostValue to_stored(const HostValue& h) { return {h.value, h.index}; }
+inline HostValue from_stored(const stored::HostValue& h) { return {h.index(), h.value()}; }
+
 inline stored::SeaParameters to_stored(const SeaParameters& s) {
     return {s.state, s.current_east_mps, s.current_north_mps};
 }

@@ -56,9 +56,12 @@ Binding bind(const Scenario& scenario, const NameDirectory& directory, database:
     binding.moving_object_count = static_cast<std::uint32_t>(directory.moving_objects.size());
     bind_suns(scenario, directory, binding, diagnostics);
     const Lookup movers{"moving object", directory.moving_objects, diagnostics};
-    for (const ShipSection& each : scenario.ships)
+    for (const ShipSection& each : scenario.ships) {
         binding.ships.push_back(
             movers.index(each.moving_object, directory.find_moving_object(each.moving_object.text)));
+        binding.ship_slots.push_back(ship_slots(each.moving_object.text, directory));
+        check_methods(each, binding.ship_slots.back(), diagnostics);
+    }
     const std::vector<std::string> slots = names_of(directory.slots);
     const Lookup lookup{"substitution slot", slots, diagnostics};
     for (const SequenceSection& each : scenario.sequences) {
@@ -68,6 +71,11 @@ Binding bind(const Scenario& scenario, const NameDirectory& directory, database:
     }
     const std::vector<std::string> lists = names_of(directory.lists);
     const Lookup listed{"object list", lists, diagnostics};
+    binding.sea_tile = sea_tile(directory);
+    if (scenario.sea_method == SeaMethod::normals && !binding.sea_tile)
+        diagnostics.error(
+            scenario.sea_method_at,
+            "\"normals\" cannot be shown: the database lacks an object list \"sea\" that repeats a tile");
     for (const Name& each : scenario.sky_lists)
         binding.sky_lists.push_back(listed.index(each, directory.find_list(each.text)));
     const Lookup coloured{"colour", directory.colours, diagnostics};

@@ -2,6 +2,7 @@
 /// Names become indices: the second step of reading a scenario, when its visual database is known.
 
 #include "database/format/name_directory.h"
+#include "host/scenario/bind_methods.h"
 #include "host/scenario/scenario.h"
 
 namespace linkdig::host {
@@ -15,8 +16,10 @@ struct Binding {
     std::vector<std::uint32_t> slots;
     std::vector<std::uint32_t> slot_alternatives;
     std::vector<std::uint32_t> sky_lists;
-    std::vector<std::uint32_t> sky_bands; ///< colour codes
-    std::uint32_t sun_count = 0;          ///< rows that a packet for this database has
+    std::vector<std::uint32_t> sky_bands;  ///< colour codes
+    std::vector<ShipSlots> ship_slots;     ///< parallel to the ships
+    std::optional<std::uint32_t> sea_tile; ///< into NameDirectory::tiles
+    std::uint32_t sun_count = 0;           ///< rows that a packet for this database has
     std::uint32_t moving_object_count = 0;
 };
 

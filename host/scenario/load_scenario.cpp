@@ -49,6 +49,8 @@ ScenarioResult load_scenario(const std::string& path) {
     read_head(root, scenario);
     read_suns(root, scenario);
     read_ships(root, scenario);
+    check_stations(scenario, result.diagnostics);
+    read_own_ship(root, scenario);
     read_sequences(root, scenario);
     read_approaches(root, scenario);
     read_channels(root, scenario);

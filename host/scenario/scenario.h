@@ -3,11 +3,13 @@
 /// radians, with mathematical headings; things of the database are still named.
 ///
 /// In the file headings and azimuths are degrees clockwise from north, speeds knots, lengths metres or feet:
-/// [scenario], [suns.NAME], [[ship]] with [ship.motion], [[sequence]], [[approach]], [[channel]], [sea],
-/// [sky].
+/// [scenario], [suns.NAME], [[ship]] with [ship.track], [ship.motion], [ship.cam], [[sequence]], [[approach]], [own_ship],
+/// [[channel]], [sea], [sky].
 
+#include "database/model/mathematics.h"
 #include "database/text/diagnostic.h"
 #include "host/packet/frame_packet.h"
+#include "host/scenario/methods.h"
 
 #include <array>
 #include <cstdint>
@@ -32,13 +34,33 @@ struct SunSection {
     double elevation_rate_rad_s = 0.0;
     double least_elevation_rad = 0.0;
     double greatest_elevation_rad = 0.0;
-    bool turning() const { return azimuth_rate_rad_s != 0.0 || elevation_rate_rad_s != 0.0; }
+    bool has_sea_state = false; ///< a preset chose it: it may be turned and raised even if it stands
+    bool turning() const { return has_sea_state || azimuth_rate_rad_s != 0.0 || elevation_rate_rad_s != 0.0; }
 };
 
 /// Estimated response of one of a ship's axes.
 struct AxisSection {
     double gain = 1.0;
     double limit = 0.0; ///< metres or radians
+};
+
+/// A row of a time history. Angles in radians, mathematical.
+struct HistoryRow {
+    double time_s = 0.0;
+    std::array<double, 6>
+        values{}; ///< a ship's surge, sway, heave, roll, pitch, yaw; or position, heading, pitch, roll
+};
+
+/// [ship.track]: without it a ship steers her heading.
+struct TrackSection {
+    enum class Kind : std::uint8_t { straight, turn, figure_of_eight, station };
+    Kind kind = Kind::straight;
+    double begin_s = 0.0;   ///< when she puts her helm over
+    double radius_m = 0.0;  ///< of a turn
+    bool to_port = false;   ///< the (first) turn
+    double angle_rad = 0.0; ///< through which she turns; 0: for ever
+    Name leader;            ///< station: the moving object whose place she keeps
+    Vec3d offset_m{0};      ///< station: in the leader's mean frame
 };
 
 /// [ship.motion]: without it a ship does not move about her track.
@@ -53,6 +75,20 @@ struct MotionSection {
     double roll_period_s = 14.0;
     double pitch_period_s = 7.5;
     std::array<AxisSection, 6> axes; ///< surge, sway, heave, roll, pitch, yaw
+    std::vector<HistoryRow> history; ///< not empty: this moves her, and nothing above does
+};
+
+/// A ship's methods. Absent: the slots stay as the database has them (waterline, no wake).
+struct MethodsSection {
+    std::optional<Occulting> occulting{};
+    std::optional<Wakes> wakes{};
+    database::SourceLocation occulting_at{};
+    database::SourceLocation wake_at{};
+    double wake_dwell_s = 0.1; ///< of each of the 28 faces
+    Vec3d cam_position_m{63.5, 8.1,
+                         0.0}; ///< middle of the port cam's axis in the waterline frame; estimated, LPH-2's
+    double cam_axis_rad = radians(24.0); ///< which runs aft and outward, so far off the ship's; estimated
+    double cam_period_s = 2.0;           ///< of one roll; estimated
 };
 
 struct ShipSection {
@@ -61,6 +97,8 @@ struct ShipSection {
     double heading_rad = 0.0;
     double speed_mps = 0.0;
     std::optional<MotionSection> motion;
+    TrackSection track{};
+    MethodsSection methods{};
 };
 
 /// Alternatives of a slot, one after the other (report, 3.2.2).
@@ -77,6 +115,18 @@ struct ApproachSection {
     std::array<Vec3d, 4> path_m; ///< control points of a cubic Bezier curve: start, two handles, hover
     Vec3d first_aim_m{0};
     Vec3d last_aim_m{0};
+};
+
+/// [own_ship]: without it the own ship flies the approach.
+struct OwnShipSection {
+    enum class Kind : std::uint8_t { approach, fixed, path, flown };
+    Kind kind = Kind::approach;
+    std::optional<Name> beside; ///< fixed: a ship in whose mean frame position and aim are meant
+    Vec3d position_m{0};        ///< fixed, and where a flown one begins
+    Vec3d aim_m{0};             ///< fixed
+    double heading_rad = 0.0;   ///< a flown one's at the beginning
+    double speed_mps = 0.0;
+    std::vector<HistoryRow> path; ///< position in the world, heading, pitch, roll
 };
 
 struct ChannelSection {
@@ -99,7 +149,11 @@ struct Scenario {
     std::vector<SequenceSection> sequences;
     std::vector<ApproachSection> approaches; ///< ascending by duration
     std::vector<ChannelSection> channels;
+    OwnShipSection own_ship{};
     double sea_state = 0.0; ///< the report's: 0, 1.5 ("1-2"), 3
+    SeaMethod sea_method = SeaMethod::sun;
+    std::uint32_t normals_every = 1; ///< frames between two updates of the normals
+    database::SourceLocation sea_method_at{};
     double current_east_mps = 0.0;
     double current_north_mps = 0.0;
     Vec3f sky{0.60F, 0.72F, 0.86F};

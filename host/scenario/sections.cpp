@@ -24,15 +24,33 @@ void refuse_second(const Name& name, const Sections& before, Member member, cons
 constexpr Range elevation_range{-90.0, 90.0};
 constexpr Range rate_range{-3600.0, 3600.0};
 
+/// "sea_state": a preset of elevation and rate, which keys of their own override. None: nothing.
+const SeaState* read_sea_state(TableReader& reader) {
+    if (!reader.has("sea_state")) {
+        reader.node("sea_state"); // known, though absent
+        return nullptr;
+    }
+    std::vector<std::string> names;
+    for (const SeaState& each : sea_states)
+        names.emplace_back(each.name);
+    return &sea_states[reader.choice("sea_state", 0, names)];
+}
+
 SunSection read_sun(TableReader& reader) {
     SunSection sun;
     sun.azimuth_rad = read_heading_rad(reader, "azimuth");
-    sun.elevation_rad = reader.angle_rad("elevation", {}, elevation_range);
+    const SeaState* state = read_sea_state(reader);
+    std::optional<double> elevation_deg;
+    if (state != nullptr) elevation_deg = state->elevation_deg;
+    sun.has_sea_state = state != nullptr;
+    sun.elevation_rad = reader.angle_rad("elevation", elevation_deg, elevation_range);
     // Keys per second, "azimuth_rate_deg_s": the host converts them to increments of its update rate.
-    sun.azimuth_rate_rad_s = -radians(reader.number("azimuth_rate_deg_s", 0.0, rate_range));
+    const double rate_deg_s = state != nullptr ? state->azimuth_rate_deg_s : 0.0;
+    sun.azimuth_rate_rad_s = -radians(reader.number("azimuth_rate_deg_s", rate_deg_s, rate_range));
     sun.elevation_rate_rad_s = radians(reader.number("elevation_rate_deg_s", 0.0, rate_range));
     sun.least_elevation_rad = reader.angle_rad("least_elevation", 5.0, elevation_range);
-    sun.greatest_elevation_rad = reader.angle_rad("greatest_elevation", 85.0, elevation_range);
+    sun.greatest_elevation_rad =
+        reader.angle_rad("greatest_elevation", state != nullptr ? 90.0 : 85.0, elevation_range);
     if (sun.least_elevation_rad > sun.greatest_elevation_rad)
         reader.error_at("least_elevation_deg", "\"least_elevation_deg\" is above \"greatest_elevation_deg\"");
     else if (sun.turning() &&
@@ -103,8 +121,11 @@ void read_approaches(TableReader& root, Scenario& scenario) {
                                                                    approach.ship.text));
         scenario.approaches.push_back(std::move(approach));
     }
-    if (scenario.approaches.empty() && !root.has("approach"))
-        root.error_at("approach", "the scenario has no [[approach]]; expected at least one");
+    if (scenario.approaches.empty() && !root.has("approach") &&
+        scenario.own_ship.kind == OwnShipSection::Kind::approach)
+        root.error_at(
+            "approach",
+            "the scenario has no [[approach]]; expected at least one, or [own_ship] of another kind");
     std::ranges::stable_sort(scenario.approaches, {}, &ApproachSection::duration_s);
 }
 
@@ -135,6 +156,10 @@ void read_sea(TableReader& root, Scenario& scenario) {
     if (table == nullptr) return;
     TableReader reader(*table, root.file(), "[sea]", root.diagnostics());
     scenario.sea_state = reader.number("state", 0.0, {0.0, 9.0});
+    const std::vector<std::string> methods(sea_method_names.begin(), sea_method_names.end());
+    scenario.sea_method = static_cast<SeaMethod>(reader.choice("method", 0, methods));
+    scenario.sea_method_at = reader.at("method");
+    scenario.normals_every = static_cast<std::uint32_t>(reader.integer("normals_every", 1, 1, 60));
     scenario.current_east_mps = reader.speed_mps("current_east", 0.0, {-10.0, 10.0});
     scenario.current_north_mps = reader.speed_mps("current_north", 0.0, {-10.0, 10.0});
     reader.finish();

@@ -13,6 +13,13 @@ void read_suns(TableReader& root, Scenario& scenario);
 void read_ships(TableReader& root, Scenario& scenario);
 /// One [[ship]] with its [ship.motion].
 ShipSection read_ship(TableReader& reader);
+/// [ship.track]; nothing without one.
+TrackSection read_track(TableReader& reader);
+/// Keys "occulting", "wake", "wake_dwell_s" of a [[ship]], and its [ship.cam].
+MethodsSection read_methods(TableReader& ship);
+/// Leaders that are no ship, the ship herself, or keep station themselves.
+void check_stations(const Scenario& scenario, database::Diagnostics& diagnostics);
+void read_own_ship(TableReader& root, Scenario& scenario);
 void read_sequences(TableReader& root, Scenario& scenario);
 void read_approaches(TableReader& root, Scenario& scenario);
 void read_channels(TableReader& root, Scenario& scenario);

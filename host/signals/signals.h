@@ -1,6 +1,7 @@
 #pragma once
 /// The named signals between the people at the controls and the host loop: keyboard, joystick and panels
-/// write them, the loop reads them once per frame. The directory is fixed. Initial values mean "as the
+/// write them, the loop reads them once per frame. The directory is fixed, and only ever grows at its end: recordings name
+/// signals by their place in it. Initial values mean "as the
 /// scenario says".
 
 #include <array>
@@ -26,8 +27,26 @@ enum class Signal : std::uint8_t {
     pitch_amplitude,
     visibility,
     time_of_day,
+    sea_sun_elevation_rate,
+    sea_sun_elevation_phase,
+    sea_state,
+    sea_method,
+    normals_every,
+    occulting,
+    white_v,
+    blended_v,
+    cam,
+    face_substitution,
+    solid,
+    churned,
+    ship_motion,
+    hands_on,
+    stick_fore,
+    stick_right,
+    pedals_right,
+    collective,
 };
-inline constexpr std::size_t signal_count = 11;
+inline constexpr std::size_t signal_count = 29;
 
 enum class SignalKind : std::uint8_t {
     toggle,   ///< 0 or 1 (a switch)

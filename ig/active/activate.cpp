@@ -32,6 +32,21 @@ void point_slots(const VisualDatabase& database, const FramePacket& packet, Acti
     }
 }
 
+/// The later of two numbers for one cluster counts.
+void move_clusters(const FramePacket& packet, ActiveDatabase& active) {
+    active.moved.clear();
+    for (const ClusterPriority& each : packet.priorities) {
+        const auto same = std::ranges::find(active.moved, each.cluster, &ClusterPriority::cluster);
+        if (same == active.moved.end())
+            active.moved.push_back(each);
+        else
+            same->number = each.number;
+    }
+    std::ranges::sort(active.moved, [](const ClusterPriority& a, const ClusterPriority& b) {
+        return a.number != b.number ? a.number < b.number : a.cluster < b.cluster;
+    });
+}
+
 void light(const VisualDatabase& database, const FramePacket& packet, std::uint32_t list, FaceBlock& block) {
     const ObjectList& modelled = database.lists[list];
     ListLighting lighting{
@@ -83,6 +98,7 @@ void activate(const VisualDatabase& database, const FramePacket& packet, const C
     place_clusters(database, packet, active);
     point_slots(database, packet, active);
     choose_levels(database, packet, history, active);
+    move_clusters(packet, active);
     active.blocks.clear();
     clear_made_faces(active);
     for (std::uint32_t l = 0; l < database.lists.size(); ++l) {

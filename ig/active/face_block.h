@@ -3,6 +3,7 @@
 /// priority.
 
 #include "database/model/visual_database.h"
+#include "host/packet/frame_packet.h"
 
 #include <cstdint>
 #include <span>
@@ -55,7 +56,8 @@ struct ObjectWorth {
 struct ActiveDatabase {
     const VisualDatabase* database = nullptr;
     std::vector<FaceBlock> blocks;
-    std::vector<ClusterPose> poses; ///< parallel to VisualDatabase::clusters
+    std::vector<ClusterPose> poses;     ///< parallel to VisualDatabase::clusters
+    std::vector<ClusterPriority> moved; ///< clusters that leave their group this frame, by number, then index
     std::vector<std::uint32_t>
         slot_index;            ///< parallel to VisualDatabase::slots: the alternative that is present
     double time_s = 0.0;       ///< of the packet: what flashes by

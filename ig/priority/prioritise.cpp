@@ -4,6 +4,7 @@
 #include "ig/priority/plane_tree.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace linkdig::ig {
 
@@ -59,6 +60,17 @@ void put_runs(const ActiveDatabase& active, std::uint32_t block_index, const Vec
         });
 }
 
+void put_cluster(const ActiveDatabase& active, std::uint32_t cluster, const Vec3d& eye_m,
+                 PriorityScratch& scratch, PriorityOrder& order) {
+    order_blocks(active, cluster, eye_m, scratch);
+    for (const std::uint32_t block : scratch.blocks)
+        put_runs(active, block, eye_m, order);
+}
+
+bool has_left_its_group(const ActiveDatabase& active, std::uint32_t cluster) {
+    return std::ranges::find(active.moved, cluster, &ClusterPriority::cluster) != active.moved.end();
+}
+
 } // namespace
 
 void prioritise(const ActiveDatabase& active, const ChannelView& channel, PriorityScratch& scratch,
@@ -66,15 +78,21 @@ void prioritise(const ActiveDatabase& active, const ChannelView& channel, Priori
     order.runs.clear();
     order.ambiguous = 0;
     const auto groups = static_cast<std::uint32_t>(active.database->groups.size());
+    std::size_t moved = 0;
+    const auto put_moved_before = [&](std::int64_t number) {
+        for (; moved < active.moved.size() && active.moved[moved].number < number; ++moved)
+            if (active.poses[active.moved[moved].cluster].visible)
+                put_cluster(active, active.moved[moved].cluster, channel.eye_m, scratch, order);
+    };
     for (std::uint32_t group = 0; group < groups; ++group) { // ascending by number: the lower wins
+        put_moved_before(active.database->groups[group].number);
         scratch.clusters.clear();
         order.ambiguous += order_clusters(active, group, channel.eye_m, scratch);
-        for (const std::uint32_t cluster : scratch.clusters) {
-            order_blocks(active, cluster, channel.eye_m, scratch);
-            for (const std::uint32_t block : scratch.blocks)
-                put_runs(active, block, channel.eye_m, order);
-        }
+        for (const std::uint32_t cluster : scratch.clusters)
+            if (!has_left_its_group(active, cluster))
+                put_cluster(active, cluster, channel.eye_m, scratch, order);
     }
+    put_moved_before(std::numeric_limits<std::int64_t>::max());
 }
 
 } // namespace linkdig::ig

@@ -113,6 +113,40 @@ TEST(Priority, LowerNumberWinsWhateverTheDistance) {
     EXPECT_EQ(machine.picture(0).pixels[32 * 64 + 32] & 0xffffffU, 0x2828c8U); // red: the far one
 }
 
+/// A packet's own number takes a cluster out of its group; of equal numbers it comes after the whole group.
+TEST(Priority, APacketGivesAClusterAnotherNumber) {
+    VisualDatabase database = empty_database();
+    database.groups = {
+        {.number = 1, .root = none}, {.number = 2, .root = none}, {.number = 100, .root = none}};
+    database.clusters[0].group = 2;
+    const std::uint32_t far =
+        add_box(database, {.from = {20, -3, -3}, .to = {26, 3, 3}, .colour = 1, .group = 0});
+    const std::uint32_t near =
+        add_box(database, {.from = {10, -1, -1}, .to = {12, 1, 1}, .colour = 2, .group = 1});
+    Machine machine(database, small_raster(64));
+    FramePacket packet;
+    packet.channels = {channel_at({0, 0, 0})};
+    packet.suns = {{0, 0, 1}};
+    const auto seen = [&](std::vector<ClusterPriority> priorities) {
+        packet.priorities = std::move(priorities);
+        EXPECT_TRUE(machine.frame(packet).errors.empty());
+        return machine.picture(0).pixels[32 * 64 + 32] & 0xffffffU;
+    };
+    const std::uint32_t first = seen({});
+    const std::uint32_t second = seen({{far, 2}});
+    EXPECT_NE(first, second) << "the far one has left the first group";
+    EXPECT_EQ(seen({{far, 1}}), first) << "nothing else has its number";
+    EXPECT_EQ(seen({{near, 0}}), second);
+    EXPECT_EQ(seen({{near, 1}}), first) << "after the whole group of 1";
+    EXPECT_EQ(seen({{far, 1000}}), second) << "behind the last group";
+    EXPECT_EQ(seen({{far, 7}, {near, 8}}), first) << "two that left go by their numbers";
+    EXPECT_EQ(seen({{far, 7}, {near, 8}, {far, 9}}), second) << "the later row counts";
+    EXPECT_EQ(seen({}), first) << "for one frame alone";
+    packet.priorities = {{3, 0}};
+    EXPECT_EQ(machine.frame(packet).errors,
+              std::vector<std::string>{"priorities[0].cluster is 3, but the database has 3 clusters"});
+}
+
 TEST(Priority, MovingClustersAreOrderedAsTheyLie) {
     constexpr std::uint32_t side = 96;
     VisualDatabase database = empty_database();

@@ -37,8 +37,14 @@ TEST(Keys, OtherKeysDoNothing) {
     EXPECT_EQ(action_of(0), std::nullopt);
 }
 
+TEST(Keys, TheShortHelpIsThatOfTheFirstFlightAndShowsTheWayToTheOther) {
+    const std::vector<std::string> lines = help_lines(false);
+    EXPECT_LE(lines.size(), 16U);
+    EXPECT_THAT(lines, testing::Contains(testing::HasSubstr("all keys")));
+}
+
 TEST(Keys, TheHelpNamesEveryKey) {
-    const std::vector<std::string> lines = help_lines();
+    const std::vector<std::string> lines = help_lines(true);
     ASSERT_EQ(lines.size(), keys().size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         EXPECT_THAT(lines[i], testing::StartsWith(keys()[i].label));

@@ -1,6 +1,8 @@
 #include "tools/flight/flight.h"
 
 #include "database/format/name_directory.h"
+#include "host/loop/host_values.h"
+#include "ig/machine/history_bytes.h"
 #include "tools/flight/bad_input.h"
 
 #include <fmt/format.h>
@@ -13,6 +15,12 @@
 
 namespace linkdig::tools {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
 
 host::Scenario scenario_of(const FlightRequest& request) {
     host::ScenarioResult result = host::load_scenario(request.scenario_path);
@@ -39,17 +47,48 @@ host::HostLoop loop_of(const host::Scenario& scenario, const OpenedDatabase& ope
 Flight::Flight(const FlightRequest& request)
     : scenario_(scenario_of(request)), opened_(open_database(scenario_.database_path)),
       loop_(loop_of(scenario_, opened_, request.configuration)), configuration_(request.configuration),
-      machine_(opened_.database, configuration_) {}
+      machine_(std::make_unique<ig::Machine>(opened_.database, configuration_)) {}
 
 const FrameReport& Flight::draw(std::uint64_t frame, const host::SignalValues& signals) {
-    using Clock = std::chrono::steady_clock;
-    packet_ = &loop_.packet(frame, signals);
     const Clock::time_point begin = Clock::now();
-    const FrameReport& report = machine_.frame(*packet_);
-    const double taken_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    const FramePacket& packet = loop_.packet(frame, signals);
+    costs_.last_host_s = seconds_since(begin);
+    costs_.host_s += costs_.last_host_s;
+    return drawn(packet);
+}
+
+const FrameReport& Flight::resume(const FramePacket& packet, std::span<const std::uint8_t> history) {
+    const auto decoded = ig::decode_history(history);
+    if (!decoded) throw BadInput("linkdig: error: the saved state's history is none of this program's");
+    machine_->restore(*decoded);
+    loop_.resume(packet);
+    resumed_ = packet;
+    return drawn(resumed_);
+}
+
+host::SignalValues Flight::resume_host(const FramePacket& packet) {
+    loop_.resume(packet);
+    return host::signals_of(packet);
+}
+
+std::vector<std::uint8_t> Flight::history() const { return ig::encode_history(machine_->history()); }
+
+void Flight::rebuild(const ig::Configuration& configuration) {
+    const ig::History history = machine_->history();
+    configuration_ = configuration;
+    machine_ = std::make_unique<ig::Machine>(opened_.database, configuration_);
+    machine_->restore(history);
+}
+
+const FrameReport& Flight::drawn(const FramePacket& packet) {
+    packet_ = &packet;
+    const Clock::time_point begin = Clock::now();
+    const FrameReport& report = machine_->frame(packet);
+    const double taken_s = seconds_since(begin);
+    costs_.last_machine_s = taken_s;
     if (!report.errors.empty())
         throw std::logic_error(
-            fmt::format("frame {} was refused: {}", frame, fmt::join(report.errors, "; ")));
+            fmt::format("frame {} was refused: {}", packet.frame, fmt::join(report.errors, "; ")));
     std::uint64_t edges = 0;
     for (const ChannelReport& channel : report.channels)
         edges += channel.edges;

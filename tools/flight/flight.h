@@ -3,12 +3,15 @@
 /// to the machine through the link and nowhere else.
 
 #include "host/loop/host_loop.h"
+#include "host/packet/recording.h"
 #include "host/scenario/scenario.h"
 #include "ig/machine/machine.h"
 #include "tools/flight/open_database.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace linkdig::tools {
@@ -23,7 +26,10 @@ struct FlightRequest {
 /// What the flight cost so far.
 struct FlightCosts {
     std::uint64_t frames = 0;
-    double machine_s = 0.0;        ///< wall time inside the machine
+    double machine_s = 0.0;      ///< wall time inside the machine
+    double host_s = 0.0;         ///< wall time in which the packets were made
+    double last_machine_s = 0.0; ///< of the last frame
+    double last_host_s = 0.0;
     double worst_s = 0.0;          ///< of one frame
     std::uint64_t most_edges = 0;  ///< of one frame, all channels
     std::uint64_t over_limit = 0;  ///< frames beyond a limit of the machine
@@ -44,9 +50,30 @@ public:
     /// packet.
     const FrameReport& draw(std::uint64_t frame, const host::SignalValues& signals);
 
+    /// Takes up the flight where a saved one stood: draws its packet; the next frame follows it.
+    const FrameReport& resume(const FramePacket& packet, std::span<const std::uint8_t> history);
+    /// The packet of a frame, without drawing it.
+    const FramePacket& packet_of(std::uint64_t frame, const host::SignalValues& signals) {
+        return loop_.packet(frame, signals);
+    }
+    /// Takes up the flight in the host alone; the signals of then.
+    host::SignalValues resume_host(const FramePacket& packet);
+    /// What the image generator carries from frame to frame, as one value; empty: nothing.
+    std::vector<std::uint8_t> history() const;
+    /// The same flight on another machine; its pictures begin with the next draw(). The host's update rate stays.
+    void rebuild(const ig::Configuration& configuration);
+
     const FramePacket& packet() const { return *packet_; } ///< of the last draw()
-    ig::Machine& machine() { return machine_; }
+    ig::Machine& machine() { return *machine_; }
+    const ig::Machine& machine() const { return *machine_; }
+    /// For a recording of this flight.
+    RecordingHeader recording_header() const {
+        return {.database_id = opened_.id,
+                .update_rate_hz = loop_.update_rate_hz(),
+                .database = scenario_.database_path};
+    }
     const VisualDatabase& database() const { return opened_.database; }
+    std::uint64_t database_id() const { return opened_.id; }
     const host::Scenario& scenario() const { return scenario_; }
     const host::HostLoop& loop() const { return loop_; }
     const ig::Configuration& configuration() const { return configuration_; }
@@ -57,8 +84,11 @@ private:
     OpenedDatabase opened_;
     host::HostLoop loop_;
     ig::Configuration configuration_;
-    ig::Machine machine_;
+    const FrameReport& drawn(const FramePacket& packet);
+
+    std::unique_ptr<ig::Machine> machine_;
     const FramePacket* packet_ = nullptr;
+    FramePacket resumed_;
     FlightCosts costs_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "host/loop/host_loop.h"
 #include "host/signals/signal_store.h"
+#include "tools/fly/effects.h"
 #include "tools/fly/keys.h"
 
 #include <cstdint>
@@ -12,6 +13,13 @@ namespace linkdig::tools {
 /// What keys set that is no affair of the host's.
 struct Screen {
     bool help = true;
+    bool all_keys = false;
+    bool panel = false;      ///< figures and effects
+    bool of_1980 = false;    ///< the picture of the ames profile
+    bool save_state = false; ///< asked for; whoever does it takes the mark away, as with the two below
+    bool load_state = false;
+    bool switch_effect = false;
+    std::size_t effect = 0; ///< the chosen one
     bool quit = false;
 };
 
@@ -22,6 +30,8 @@ inline constexpr double hour_step = 0.5;
 /// One press of a key adds this part of the scenario's rate to the sea's sun: four presses to the left stop
 /// it.
 inline constexpr double sea_rate_step = 0.25;
+/// The same for Figure 7's other increment.
+inline constexpr double elevation_rate_step_rad_s = radians(1.0);
 
 /// Writes what the action means. `frame` is the one on the screen: the sea changes its pace from there on,
 /// without a jump. A single step freezes first; a reset puts every signal back but leaves a frozen flight
@@ -31,6 +41,9 @@ void apply(Action action, const host::HostLoop& loop, std::uint64_t frame, host:
 
 /// The signals as they stand, without taking the pulses.
 host::SignalValues standing(const host::SignalStore& signals);
+
+/// The next occulting method that some ship of the flight can show, as the signal's value; after the last the scenario's own.
+double next_occulting(const host::HostLoop& loop, double now);
 
 /// "ahead", "left", "right" or "down".
 const char* view_name(const host::SignalValues& signals);

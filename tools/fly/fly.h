@@ -3,22 +3,33 @@
 
 #include "tools/display/retro_display.h"
 #include "tools/flight/flight.h"
+#include "tools/fly/effects.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace linkdig::tools {
 
 class Window;
 
+struct FlyRequest {
+    std::uint64_t updates = 0;           ///< until so many updates have been shown; 0: no limit
+    std::string record{};                ///< recording to write; empty: none
+    std::string state = "linkdig.state"; ///< file of the keys that save and load
+    bool panel = false;                  ///< begin with the figures shown
+};
+
 struct FlyResult {
     std::uint64_t updates = 0;  ///< pictures shown
     std::uint64_t overruns = 0; ///< updates left out because the one before took too long
+    std::uint64_t recorded = 0; ///< packets
 };
 
-/// Flies until somebody quits, or until `updates` updates have been shown (0: no limit). After its last
-/// second the flight hovers on. A frozen picture is drawn anew only when a key has changed something.
+/// Flies until somebody quits, or until enough updates have been shown. Simulated time goes with the clock: an update that comes
+/// too late is left out and counted, and delays none after it. After its last second the flight hovers on. A frozen picture is
+/// drawn anew only when a control has changed something. Each frame drawn is recorded, with the signals.
 /// `display`: shows the pictures field by field, at the rate of fields; none: as they are.
-FlyResult fly(Flight& flight, Window& window, std::uint64_t updates, RetroDisplay* display = nullptr);
+FlyResult fly(Flight& flight, Window& window, const FlyRequest& request, RetroDisplay* display = nullptr);
 
 } // namespace linkdig::tools

@@ -26,6 +26,29 @@ enum class Action : std::uint8_t {
     view_down,
     reset,
     help,
+    elevation_rate_down,
+    elevation_rate_up,
+    sea_state,
+    sea_method,
+    normals_every,
+    occulting,
+    white_v,
+    blended_v,
+    cam,
+    face_substitution,
+    solid,
+    churned,
+    pitch_amplitude,
+    ship_motion,
+    visibility,
+    profile,
+    hands_on,
+    save_state,
+    load_state,
+    next_effect,
+    switch_effect,
+    panel,
+    all_keys,
     quit,
 };
 
@@ -35,6 +58,7 @@ struct Key {
     const char* says;        ///< what it does, as shown
     std::int32_t code;       ///< SDL_Keycode
     std::int32_t other_code; ///< a second one that does the same, or 0
+    bool first = false;      ///< stands in the short help
 };
 
 std::span<const Key> keys();
@@ -42,7 +66,10 @@ std::span<const Key> keys();
 /// What an SDL_Keycode does, if anything.
 std::optional<Action> action_of(std::int32_t key_code);
 
-/// The help on the screen, a line per key.
-std::vector<std::string> help_lines();
+/// The help on the screen, a line per key: those of the first flight, or all.
+std::vector<std::string> help_lines(bool all);
+
+/// Does a held key act again and again?
+bool repeats(Action action);
 
 } // namespace linkdig::tools

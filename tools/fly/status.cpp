@@ -1,6 +1,7 @@
 #include "tools/fly/status.h"
 
 #include "database/model/mathematics.h"
+#include "database/model/rotation.h"
 #include "tools/fly/controls.h"
 
 #include <fmt/format.h>
@@ -34,6 +35,49 @@ double sea_sun_elevation_deg(const VisualDatabase& database, const FramePacket& 
     if (database.tiles.empty()) return 0.0;
     const std::uint32_t sun = sun_of_list(database.tiles[0].list, database, packet);
     return sun < packet.suns.size() ? degrees(arc_sine(packet.suns[sun].z)) : 0.0;
+}
+
+std::vector<std::string> load_lines(const Flight& flight, const FrameReport& report) {
+    const FlightCosts& costs = flight.costs();
+    std::vector<std::string> lines{fmt::format("{:<7} host {:.2f} ms  ig {:.2f} ms  over the period {}",
+                                               flight.configuration().name, 1000.0 * costs.last_host_s,
+                                               1000.0 * costs.last_machine_s, costs.over_period)};
+    for (const ChannelReport& channel : report.channels)
+        lines.push_back(fmt::format("faces {:6} of {:6}  edges {:6}  segments {:6}  most on a line {}",
+                                    channel.faces_projected, channel.faces_active, channel.edges,
+                                    channel.segments, channel.most_segments_on_a_line));
+    return lines;
+}
+
+std::vector<std::string> method_lines(const host::HostLoop& loop, const host::SignalValues& signals) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < loop.ship_methods().size(); ++i) {
+        const host::ShipMethods& ship = loop.ship_methods()[i];
+        std::string wakes;
+        for (std::size_t k = 0; k < host::wake_count; ++k)
+            if (ship.shows(static_cast<host::Wake>(k), signals))
+                wakes += fmt::format(" {}", host::wake_names[k]);
+        lines.push_back(fmt::format("{}: occulting {}, wake{}", loop.ship_names()[i],
+                                    host::occulting_names[static_cast<std::size_t>(ship.occulting(signals))],
+                                    wakes.empty() ? " as modelled" : wakes));
+    }
+    const auto state = static_cast<std::size_t>(signals[host::Signal::sea_state]);
+    lines.push_back(fmt::format("sea: {}, state {}",
+                                host::sea_method_names[static_cast<std::size_t>(loop.sea_method(signals))],
+                                state == 0 ? "as the scenario says" : host::sea_states[state - 1].name));
+    return lines;
+}
+
+std::vector<std::string> sun_lines(const VisualDatabase& database, const FramePacket& packet) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < packet.suns.size() && i < database.suns.size(); ++i) {
+        const Vec3f& sun = packet.suns[i];
+        const double azimuth = modulo(aviation_from_heading(arc_tangent(sun.y, sun.x)), two_pi);
+        lines.push_back(fmt::format("sun {:<8} {:5.1f} deg, {:4.1f} up  ({:+.3f} {:+.3f} {:+.3f})",
+                                    database.suns[i], degrees(azimuth), degrees(arc_sine(sun.z)), sun.x,
+                                    sun.y, sun.z));
+    }
+    return lines;
 }
 
 std::vector<std::string> status_lines(const VisualDatabase& database, const FramePacket& packet,

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -15,11 +14,13 @@ namespace {
 
 constexpr int letter_px = 15;
 constexpr int margin_px = 8;
+constexpr double dead_zone = 0.08; ///< of a joystick's axis: estimated
 
 struct Destroy {
     void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
     void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
     void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+    void operator()(SDL_Joystick* joystick) const { SDL_JoystickClose(joystick); }
 };
 template <class T>
 using Owned = std::unique_ptr<T, Destroy>;
@@ -37,6 +38,7 @@ bool set(const char* variable) {
 struct Session {
     Session() {
         if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
+        SDL_InitSubSystem(SDL_INIT_JOYSTICK); // without one the keys fly
         // Where no display answers SDL draws where nobody looks, and calls that a success.
         const std::string driver = SDL_GetCurrentVideoDriver();
         if (!set("SDL_VIDEODRIVER") && (driver == "offscreen" || driver == "dummy")) {
@@ -44,7 +46,10 @@ struct Session {
             throw std::runtime_error("no window can be opened: the display does not answer");
         }
     }
-    ~Session() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
+    ~Session() {
+        SDL_QuitSubSystem(SDL_INIT_JOYSTICK);
+        SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    }
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 };
@@ -69,9 +74,11 @@ struct Window::State {
     Owned<SDL_Renderer> renderer;
     Owned<SDL_Texture> picture;
     Owned<SDL_Texture> letters; ///< drawn once: changing text costs no more than standing text
+    Owned<SDL_Joystick> joystick;
     int width = 0;
     int height = 0;
 
+    void size_picture(int picture_width, int picture_height);
     void open(const std::string& title);
     void draw(const TextBlock& block, int window_height);
 };
@@ -84,14 +91,21 @@ void Window::State::open(const std::string& title) {
     if (!renderer) renderer.reset(SDL_CreateRenderer(window.get(), -1, SDL_RENDERER_SOFTWARE));
     if (!renderer) fail("the window cannot be drawn into");
     SDL_SetRenderDrawBlendMode(renderer.get(), SDL_BLENDMODE_BLEND);
-    picture.reset(SDL_CreateTexture(renderer.get(), SDL_PIXELFORMAT_RGBA32, SDL_TEXTUREACCESS_STREAMING,
-                                    width, height));
+    size_picture(width, height);
     letters.reset(SDL_CreateTexture(renderer.get(), SDL_PIXELFORMAT_RGBA32, SDL_TEXTUREACCESS_STATIC,
                                     glyphs.width(), glyphs.height()));
-    if (!picture || !letters) fail("the window's textures cannot be made");
-    SDL_SetTextureBlendMode(picture.get(), SDL_BLENDMODE_NONE);
+    if (!letters) fail("the window's textures cannot be made");
     SDL_SetTextureBlendMode(letters.get(), SDL_BLENDMODE_BLEND);
     SDL_UpdateTexture(letters.get(), nullptr, glyphs.pixels.data(), glyphs.width() * 4);
+}
+
+void Window::State::size_picture(int picture_width, int picture_height) {
+    width = picture_width;
+    height = picture_height;
+    picture.reset(SDL_CreateTexture(renderer.get(), SDL_PIXELFORMAT_RGBA32, SDL_TEXTUREACCESS_STREAMING,
+                                    width, height));
+    if (!picture) fail("the window's textures cannot be made");
+    SDL_SetTextureBlendMode(picture.get(), SDL_BLENDMODE_NONE);
 }
 
 void Window::State::draw(const TextBlock& block, int window_height) {
@@ -136,8 +150,10 @@ void Window::show(const ig::VideoFrame& picture, std::span<const TextBlock> text
     SDL_SetRenderDrawColor(renderer, 0, 0, 0, 255);
     SDL_RenderClear(renderer);
     if (!picture.pixels.empty()) {
-        assert(static_cast<int>(picture.width) == state_->width &&
-               static_cast<int>(picture.height) == state_->height);
+        const auto picture_width = static_cast<int>(picture.width);
+        const auto picture_height = static_cast<int>(picture.height);
+        if (picture_width != state_->width || picture_height != state_->height)
+            state_->size_picture(picture_width, picture_height);
         SDL_UpdateTexture(state_->picture.get(), nullptr, picture.pixels.data(), state_->width * 4);
         const SDL_Rect place = fitted(state_->width, state_->height, window_width, window_height);
         SDL_RenderCopy(renderer, state_->picture.get(), nullptr, &place);
@@ -152,15 +168,36 @@ std::vector<Action> Window::actions() {
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0) {
         if (event.type == SDL_QUIT) asked.push_back(Action::quit);
+        if (event.type == SDL_JOYDEVICEADDED && !state_->joystick)
+            state_->joystick.reset(SDL_JoystickOpen(event.jdevice.which));
+        if (event.type == SDL_JOYDEVICEREMOVED &&
+            SDL_JoystickGetAttached(state_->joystick.get()) == SDL_FALSE)
+            state_->joystick.reset();
+        if (event.type == SDL_JOYBUTTONDOWN && event.jbutton.button == 0) asked.push_back(Action::hands_on);
         if (event.type != SDL_KEYDOWN) continue;
         const auto action = action_of(event.key.keysym.sym);
         // Held keys repeat where a value goes up or down or frames are stepped, not where something is
         // switched.
-        const bool may_repeat =
-            action && (*action == Action::step || (*action >= Action::sun_up && *action <= Action::later));
-        if (action && (event.key.repeat == 0 || may_repeat)) asked.push_back(*action);
+        if (action && (event.key.repeat == 0 || repeats(*action))) asked.push_back(*action);
     }
     return asked;
+}
+
+Sticks Window::sticks() const {
+    const Uint8* held = SDL_GetKeyboardState(nullptr);
+    const auto between = [&](SDL_Scancode less, SDL_Scancode more) {
+        return static_cast<double>(held[more]) - static_cast<double>(held[less]);
+    };
+    const Sticks keys{.fore = between(SDL_SCANCODE_DOWN, SDL_SCANCODE_UP),
+                      .right = between(SDL_SCANCODE_LEFT, SDL_SCANCODE_RIGHT),
+                      .pedals_right = between(SDL_SCANCODE_HOME, SDL_SCANCODE_END),
+                      .collective = between(SDL_SCANCODE_PAGEDOWN, SDL_SCANCODE_PAGEUP)};
+    if (keys != Sticks{} || !state_->joystick) return keys;
+    const auto axis = [&](int number) {
+        const double value = SDL_JoystickGetAxis(state_->joystick.get(), number) / 32768.0;
+        return std::abs(value) < dead_zone ? 0.0 : value;
+    };
+    return {.fore = -axis(1), .right = axis(0), .pedals_right = axis(2), .collective = -axis(3)};
 }
 
 } // namespace linkdig::tools

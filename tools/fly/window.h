@@ -22,6 +22,15 @@ struct TextBlock {
     std::vector<std::string> lines; ///< printable ASCII; anything else is left out
 };
 
+/// What a joystick and the keys that are held say about flying by hand; each -1 to 1.
+struct Sticks {
+    double fore = 0.0;
+    double right = 0.0;
+    double pedals_right = 0.0;
+    double collective = 0.0;
+    bool operator==(const Sticks&) const = default;
+};
+
 class Window {
 public:
     /// Opens a window for pictures of this size, in pixels; the user may resize it, the picture then keeps
@@ -32,10 +41,13 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Shows the picture and the text over it, at once: pacing is the frame clock's affair.
+    /// Shows the picture (of any size) and the text over it, at once: pacing is the frame clock's affair.
     void show(const ig::VideoFrame& picture, std::span<const TextBlock> text);
     /// What was asked for since the last call, in order. Closing the window asks for Action::quit.
     std::vector<Action> actions();
+    /// How the controls stand, as of the last actions(): the first joystick's axes 0 to 3 (right, back, pedals, down) beyond a dead
+    /// zone, or the arrow keys, home and end, page up and page down. Its first button asks for Action::hands_on.
+    Sticks sticks() const;
 
 private:
     struct State;

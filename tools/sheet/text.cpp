@@ -58,4 +58,50 @@ GlyphSheet glyph_sheet(int size_px) {
     return sheet;
 }
 
+namespace {
+
+/// `share` of 255 of a colour component over what is there.
+std::uint32_t blended(std::uint32_t below, std::uint32_t above, std::uint32_t share) {
+    std::uint32_t made = 0xFF000000U;
+    for (const unsigned component : {0U, 8U, 16U}) {
+        const std::uint32_t a = (below >> component) & 0xFFU;
+        const std::uint32_t b = (above >> component) & 0xFFU;
+        made |= ((a * (255 - share) + b * share + 127) / 255) << component;
+    }
+    return made;
+}
+
+} // namespace
+
+void write_over(ig::VideoFrame& picture, std::string_view text, const GlyphSheet& glyphs) {
+    constexpr std::uint32_t margin = 8;
+    const auto cell_width = static_cast<std::uint32_t>(glyphs.cell_width);
+    const auto cell_height = static_cast<std::uint32_t>(glyphs.cell_height);
+    const std::uint32_t ground = cell_height + 2 * margin;
+    if (picture.height < ground) return;
+    for (std::uint32_t y = picture.height - ground; y < picture.height; ++y)
+        for (std::uint32_t x = 0; x < picture.width; ++x)
+            picture.pixels[std::size_t{y} * picture.width + x] =
+                blended(picture.pixels[std::size_t{y} * picture.width + x], 0x00140E0AU, 150);
+    std::uint32_t left = margin;
+    for (const char letter : text) {
+        if (left + cell_width > picture.width) return;
+        const int index = letter - GlyphSheet::first;
+        const bool known = letter >= GlyphSheet::first && letter <= GlyphSheet::last;
+        for (std::uint32_t y = 0; known && y < cell_height; ++y) {
+            for (std::uint32_t x = 0; x < cell_width; ++x) {
+                const std::size_t from =
+                    (static_cast<std::size_t>(index / GlyphSheet::columns) * cell_height + y) *
+                        static_cast<std::size_t>(glyphs.width()) +
+                    static_cast<std::size_t>(index % GlyphSheet::columns) * cell_width + x;
+                std::uint32_t& to =
+                    picture
+                        .pixels[std::size_t{picture.height - ground + margin + y} * picture.width + left + x];
+                to = blended(to, glyphs.pixels[from], glyphs.pixels[from] >> 24U);
+            }
+        }
+        left += cell_width;
+    }
+}
+
 } // namespace linkdig::tools

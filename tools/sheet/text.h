@@ -1,8 +1,11 @@
 #pragma once
 /// Text on pictures: DejaVu, drawn by OpenImageIO.
 
+#include "ig/video/line.h"
+
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace linkdig::tools {
@@ -26,6 +29,10 @@ struct GlyphSheet {
 /// The sheet of DejaVu Sans Mono at `size_px` pixels (8 to 64). Throws std::runtime_error, naming the font
 /// and its package, if the font is not found.
 GlyphSheet glyph_sheet(int size_px);
+
+/// Writes a line of white text on a darkened ground over the foot of a picture; what does not fit or is not printable ASCII is left
+/// out.
+void write_over(ig::VideoFrame& picture, std::string_view text, const GlyphSheet& glyphs);
 
 /// Throws likewise unless the fonts that titles need are found: asked before a long flight, not after it.
 void require_fonts();

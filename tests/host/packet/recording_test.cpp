@@ -29,7 +29,9 @@ FramePacket packet_of(std::size_t number) {
 }
 
 void write_sample(const std::string& path, std::vector<std::uint8_t> history = {1, 2, 0xff}) {
-    RecordingWriter recording(path, {.database_id = 0x8899aabbccddeeffULL, .update_rate_hz = 29.97}, history);
+    RecordingWriter recording(
+        path, {.database_id = 0x8899aabbccddeeffULL, .update_rate_hz = 29.97, .database = "sea.toml"},
+        history);
     for (std::size_t i = 1; i <= packets; ++i)
         recording.write(packet_of(i));
     EXPECT_EQ(recording.packets(), packets);
@@ -77,7 +79,7 @@ TEST(Recording, GivesBackHeaderHistoryAndPackets) {
     const TestFile file("a.rec");
     write_sample(file.path());
     RecordingReader recording(file.path());
-    EXPECT_EQ(recording.header(), (RecordingHeader{0x8899aabbccddeeffULL, 29.97}));
+    EXPECT_EQ(recording.header(), (RecordingHeader{0x8899aabbccddeeffULL, 29.97, "sea.toml"}));
     EXPECT_EQ(recording.history(), (std::vector<std::uint8_t>{1, 2, 0xff}));
     FramePacket packet;
     for (std::size_t i = 1; i <= packets; ++i) {
@@ -144,7 +146,8 @@ TEST(Recording, ALostPacketIsTold) {
     std::string bytes = contents(file.path());
     constexpr std::size_t head = 40;
     constexpr std::size_t record_head = 16;
-    const std::size_t history_end = head + record_head + 3;
+    const std::size_t history_end =
+        head + record_head + 4 + 8 + 3; // length and path of the database, history
     bytes.erase(history_end, record_head + encode_packet(packet_of(1)).size());
     EXPECT_EQ(read_through(bytes).error, "it: packet 1: damaged: its hash does not fit");
 }
@@ -203,7 +206,7 @@ TEST(RecordingJson, GivesBackTheSameFile) {
     RecordingReader recording(binary.path());
     recording_to_json(recording, text);
     EXPECT_THAT(text.str(), StartsWith(R"({"linkdig_recording":1,"database_id":"0x8899aabbccddeeff",)"
-                                       R"("update_rate_hz":29.97,"history":"0102ff"})"
+                                       R"("update_rate_hz":29.97,"database":"sea.toml","history":"0102ff"})"
                                        "\n{\"frame\":1,"));
     json_to_recording(text, again.path());
     EXPECT_EQ(contents(binary.path()), contents(again.path()));
@@ -231,9 +234,10 @@ TEST(RecordingJson, MistakesAreNamedByTheirLine) {
     expect_told("", "line 1: missing; expected the recording's header");
     expect_told("{\"frame\": 1}\n", "line 1: linkdig_recording: missing");
     expect_told("{\"linkdig_recording\": 2}\n", "line 1: linkdig_recording: expected version 1");
-    expect_told("{\"linkdig_recording\": 1, \"rate\": 3}\n",
-                "line 1: rate: unknown field; expected one of database_id, history, linkdig_recording, "
-                "update_rate_hz");
+    expect_told(
+        "{\"linkdig_recording\": 1, \"rate\": 3}\n",
+        "line 1: rate: unknown field; expected one of database, database_id, history, linkdig_recording, "
+        "update_rate_hz");
     expect_told("{\"linkdig_recording\": 1, \"history\": \"012\"}\n",
                 "line 1: history: expected pairs of hexadecimal digits");
     expect_told("{\"linkdig_recording\": 1, \"history\": \"0x\"}\n",

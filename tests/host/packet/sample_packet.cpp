@@ -33,6 +33,11 @@ public:
                 add(normal);
         }
         add(p.lod_bias, p.visibility_m, p.sky, p.time_of_day_h, p.seed, p.discontinuity);
+        add(p.priorities.size(), p.host_values.size());
+        for (const ClusterPriority& c : p.priorities)
+            add(c.cluster, c.number);
+        for (const HostValue& h : p.host_values)
+            add(h.index, h.value);
         add(p.sea.state, p.sea.current_east_mps, p.sea.current_north_mps, p.light_points, p.colours.size());
         for (const Colour& c : p.colours)
             add(c.red, c.green, c.blue);
@@ -96,6 +101,8 @@ FramePacket sample_packet() {
     p.discontinuity = true;
     p.colours = {{255, 0, 7, 0}, {1, 2, 3, 0}};
     p.light_points = 0.75F;
+    p.priorities = {{.cluster = 1, .number = -3}, {.cluster = 0, .number = 21}};
+    p.host_values = {{.index = 3, .value = -0.0}, {.index = 1000, .value = 1e-300}};
     return p;
 }
 
@@ -104,6 +111,7 @@ PacketLimits sample_limits() {
             .moving_objects = 1,
             .lists = 3,
             .colours = 2,
+            .clusters = 2,
             .alternatives = {28, 1},
             .database_id = 0xfedcba9876543210ULL};
 }

@@ -1,0 +1,61 @@
+#include "host/scenario/sections.h"
+#include "host/scenario/time_history.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace linkdig::host {
+
+namespace {
+
+using Kind = OwnShipSection::Kind;
+
+void read_fixed(TableReader& reader, const Scenario& scenario, OwnShipSection& own) {
+    own.position_m = reader.point_m("position");
+    own.aim_m = reader.point_m("aim");
+    if (own.aim_m == own.position_m)
+        reader.error_at("aim_m", "the aim is the eye itself; expected another point");
+    if (reader.has("beside")) {
+        own.beside = read_name(reader, "beside");
+        const auto same = [&](const ShipSection& ship) {
+            return ship.moving_object.text == own.beside->text;
+        };
+        if (std::ranges::none_of(scenario.ships, same))
+            reader.error_at("beside",
+                            fmt::format("no [[ship]] has the moving object \"{}\"", own.beside->text));
+    } else {
+        reader.node("beside"); // known, though absent
+    }
+}
+
+void read_path(TableReader& reader, OwnShipSection& own) {
+    const std::filesystem::path file = reader.text("file");
+    if (file.empty()) return;
+    const std::string path =
+        (std::filesystem::path(reader.file()).parent_path() / file).lexically_normal().string();
+    own.path = read_history(path, path_history_columns(), reader.at("file"), reader.diagnostics());
+    for (HistoryRow& row : own.path)
+        row.values[3] += heading_from_aviation(0.0); // the factor has turned its sense already
+}
+
+} // namespace
+
+void read_own_ship(TableReader& root, Scenario& scenario) {
+    const toml::table* table = root.table("own_ship");
+    if (table == nullptr) return;
+    TableReader reader(*table, root.file(), "[own_ship]", root.diagnostics());
+    OwnShipSection& own = scenario.own_ship;
+    own.kind = static_cast<Kind>(reader.choice("kind", 0, {"approach", "fixed", "path", "flown"}));
+    if (own.kind == Kind::fixed) read_fixed(reader, scenario, own);
+    if (own.kind == Kind::path) read_path(reader, own);
+    if (own.kind == Kind::flown) {
+        own.position_m = reader.point_m("position");
+        own.heading_rad = read_heading_rad(reader, "heading");
+        own.speed_mps = reader.speed_mps("speed", 0.0, {0.0, 100.0});
+    }
+    reader.finish();
+}
+
+} // namespace linkdig::host

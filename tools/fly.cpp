@@ -1,0 +1,104 @@
+/// linkdig fly: a scenario, in a window or as files.
+
+#include "tools/fly/fly.h"
+#include "tools/flight/arguments.h"
+#include "tools/flight/bad_input.h"
+#include "tools/flight/fly_files.h"
+#include "tools/fly/window.h"
+#include "tools/sheet/text.h"
+#include "tools/subcommands.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace linkdig::tools {
+namespace {
+
+struct FlyOptions {
+    std::string scenario;
+    std::optional<std::uint64_t> frames;
+    std::optional<std::string> size;
+    std::string profile = "modern";
+    std::optional<double> frames_per_second;
+    bool headless = false;
+    std::string out = "out/flight";
+    std::string record;
+    std::string state = "linkdig.state";
+    std::uint32_t threads = 0;
+};
+
+FlightRequest request_of(const FlyOptions& options) {
+    FlightRequest request;
+    request.scenario_path = options.scenario;
+    request.configuration =
+        configuration_of(options.profile, options.size, options.frames_per_second, options.threads, false);
+    if (options.headless && !options.frames_per_second) request.configuration.update_rate_hz = 30.0;
+    return request;
+}
+
+int as_files(const FlyOptions& options) {
+    if (!options.record.empty())
+        throw std::invalid_argument("--record keeps what is flown in a window; linkdig record needs none");
+    require_fonts();
+    Flight flight(request_of(options));
+    fly_as_files(flight, {.folder = options.out,
+                          .name = std::filesystem::path(options.scenario).stem().string(),
+                          .heading = fmt::format("linkdig fly: {}", flight.scenario().name),
+                          .frames = options.frames.value_or(0)});
+    summarise(flight, 0); // a virtual clock waits for every frame
+    return ExitCode::done;
+}
+
+int run(const FlyOptions& options) {
+    if (options.headless) return as_files(options);
+    const FlightRequest request = request_of(options);
+    Flight flight(request);
+    Window window("linkdig fly: " + flight.scenario().name, request.configuration.raster.width,
+                  request.configuration.raster.height);
+    const FlyResult flown = fly(flight, window,
+                                {.updates = options.frames.value_or(0),
+                                 .record = options.record,
+                                 .state = options.state,
+                                 .panel = true});
+    summarise(flight, flown.overruns);
+    if (!options.record.empty()) fmt::print("{}: {} packets\n", options.record, flown.recorded);
+    return ExitCode::done;
+}
+
+} // namespace
+
+void add_fly(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<FlyOptions>();
+    CLI::App* command = app.add_subcommand("fly", "Fly a scenario, in a window or as files");
+    command->add_option("scenario", options->scenario, "Scenario file (.toml)")->required();
+    command->add_flag("--headless", options->headless, "Write PNG frames, a film and a contact sheet");
+    command
+        ->add_option("--frames", options->frames,
+                     "Draw this many frames; default: the scenario's, or until quit")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--out", options->out, "Folder of the files")->capture_default_str();
+    command->add_option("--record", options->record, "Keep what is flown in this recording");
+    command->add_option("--state", options->state, "File of the keys F9 and F10")->capture_default_str();
+    command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
+    command->add_option("--profile", options->profile, "Machine profile")
+        ->check(CLI::IsMember({"ames", "modern"}))
+        ->capture_default_str();
+    command
+        ->add_option("--fps", options->frames_per_second,
+                     "Updates a second; default: 30 headless, the profile's in a window")
+        ->check(CLI::Range(1, 240));
+    command
+        ->add_option("--threads", options->threads,
+                     "Threads of the image generator; 0: as many as the machine has")
+        ->check(CLI::Range(0, 256));
+    command->footer(
+        "In a window F1 shows all keys; a joystick flies by hand once its first button is pressed.\n"
+        "Example:\n  linkdig fly database/scenes/first_flight/approach.toml --record flight.rec");
+    command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+} // namespace linkdig::tools
