@@ -70,13 +70,21 @@ struct Reading {
     }
 };
 
-/// Objects in the order of their files: [[object]]s, then [[sequence]]s, then [[churn]]s.
+/// Objects in the order of their files: [[object]]s, then [[sequence]]s, then [[churn]]s,
+/// [[mounds]] and [[patchwork]]s.
 std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Reading& reading);
 /// One object per alternative of the slot, its shape between the key shapes before and after (report, 3.2.2).
 void read_sequence(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
 /// Churned water: a strip of smooth squares on z = 0 with random normals that shrink towards its rims (report,
 /// 3.2.3).
 void read_churn(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
+
+/// A field of irregular low pyramids as one object (report, 3.1.1).
+void read_mounds(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
+/// A patchwork of fields on flat ground as one object.
+void read_patchwork(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
+/// Most faces of a field, without outlines.
+inline constexpr std::uint32_t most_mound_faces = 100000;
 
 /// colour, shading, two_sided, layer and opacity of a table, falling back on `inherited`.
 FaceStyle read_style(TableReader& reader, const Reading& reading, const FaceStyle& inherited);

@@ -51,7 +51,8 @@ const std::vector<Kind>& kinds() {
         {"box", box_shape, box_sides()}, {"prism", prism_shape, prism_sides()},
         {"loft", loft_shape, {}},        {"rectangle", rectangle_shape, {}},
         {"disc", disc_shape, {}},        {"ring", ring_shape, {}},
-        {"stripe", stripe_shape, {}},    {"numeral", numeral_shape, {}},
+        {"stripe", stripe_shape, {}},    {"path", path_shape, {}},
+        {"numeral", numeral_shape, {}},
     };
     return all;
 }

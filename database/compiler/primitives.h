@@ -51,6 +51,8 @@ Shape rectangle_shape(TableReader& reader);
 Shape disc_shape(TableReader& reader);
 Shape ring_shape(TableReader& reader);
 Shape stripe_shape(TableReader& reader);
+/// A band of one width along a line of points, with mitred bends.
+Shape path_shape(TableReader& reader);
 Shape numeral_shape(TableReader& reader);
 
 /// Names of a box's sides, in the order of Shape::Polygon::side: bow +x, stern -x, port +y, starboard -y,

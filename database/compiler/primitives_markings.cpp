@@ -1,4 +1,4 @@
-/// Flat markings that face up: rectangle, disc, ring, stripe, numeral.
+/// Flat markings that face up: rectangle, disc, ring, stripe, path, numeral.
 
 #include "database/compiler/primitives.h"
 #include "database/model/mathematics.h"
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace linkdig::database {
 
@@ -176,6 +177,63 @@ Shape stripe_shape(TableReader& reader) {
         const double end = dash > 0 ? std::min(length, i * step + dash) : length;
         add_bar(shape, from, axes, {i * step, -width / 2}, {end, width / 2});
     }
+    return shape;
+}
+
+namespace {
+
+/// Sharper bends than this (cosine of half the turn) have mitres that reach far out.
+constexpr double least_half_turn_cosine = 0.5;
+
+/// Where the port edge of the band stands beside point i, per half width; nothing where the bend is too sharp.
+std::optional<Vec3d> mitre(const std::vector<Vec3d>& points, std::size_t i) {
+    const auto port_of = [&](std::size_t from) {
+        const Vec3d along = glm::normalize(points[from + 1] - points[from]);
+        return Vec3d(-along.y, along.x, 0);
+    };
+    const Vec3d before = port_of(i == 0 ? 0 : i - 1);
+    const Vec3d after = port_of(i + 1 == points.size() ? i - 1 : i);
+    const double half_turn_cosine = 0.5 * glm::length(before + after);
+    if (half_turn_cosine < least_half_turn_cosine) return std::nullopt;
+    return 0.5 * (before + after) / (half_turn_cosine * half_turn_cosine);
+}
+
+bool is_level_line(const std::vector<Vec3d>& points) {
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (points[i].z != points[0].z || glm::distance(points[i], points[i - 1]) < plane_tolerance_m)
+            return false;
+    return points.size() >= 2;
+}
+
+} // namespace
+
+Shape path_shape(TableReader& reader) {
+    const Mistakes mistakes(reader);
+    const std::vector<Vec3d> points = reader.points_m("points");
+    const double width = reader.length_m("width", {}, positive_length);
+    if (mistakes.any()) return {};
+    const char* key = reader.has("points_m") ? "points_m" : "points_ft";
+    if (!is_level_line(points)) {
+        reader.error_at(
+            key, "the path has no length, or its points differ in height; expected two or more points, "
+                 "apart, at the same z");
+        return {};
+    }
+    Shape shape;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::optional<Vec3d> port = mitre(points, i);
+        if (!port) {
+            reader.error_at(
+                key, fmt::format("the path turns by more than 120 degrees at point {}; expected more points "
+                                 "around the bend",
+                                 i + 1));
+            return {};
+        }
+        shape.points.push_back(points[i] - 0.5 * width * *port);
+        shape.points.push_back(points[i] + 0.5 * width * *port);
+    }
+    for (std::uint32_t i = 0; i + 1 < points.size(); ++i)
+        shape.add({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
     return shape;
 }
 

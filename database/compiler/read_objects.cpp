@@ -1,6 +1,7 @@
 #include "database/compiler/model_object.h"
 #include "database/compiler/primitives.h"
 #include "database/compiler/read_lights.h"
+#include "database/model/mathematics.h"
 #include "database/model/units.h"
 
 #include <fmt/format.h>
@@ -82,6 +83,29 @@ void read_alternative(TableReader& reader, ModelObject& object) {
     }
 }
 
+namespace {
+
+/// Turns and moves the object from its own axes to those of its list.
+void place(ModelObject& object, const Vec3d& at_m, double turned_rad) {
+    const SineCosine turn = sine_cosine(turned_rad);
+    const auto turned = [&](const Vec3d& v) {
+        return Vec3d(turn.cosine * v.x - turn.sine * v.y, turn.sine * v.x + turn.cosine * v.y, v.z);
+    };
+    for (ModelVertex& vertex : object.vertices) {
+        const double w = vertex.position.w;
+        vertex.position = as_float(turned(Vec3d(vertex.position)) + w * at_m);
+        vertex.position.w = w;
+        if (vertex.normal) vertex.normal = turned(*vertex.normal);
+    }
+    for (ModelLight& light : object.lights) {
+        light.point.position = Vec3f(turned(Vec3d(light.point.position)) + at_m);
+        for (Vec3f* vector : {&light.point.direction, &light.point.side})
+            *vector = Vec3f(turned(Vec3d(*vector)));
+    }
+}
+
+} // namespace
+
 void add_mirror_image(ModelObject& object) {
     std::vector<std::uint32_t> image(object.vertices.size());
     const std::size_t vertices = object.vertices.size();
@@ -140,6 +164,7 @@ public:
         if (object_.faces.empty() && object_.lights.empty() && object_.slot == none && reading_clean())
             reading_.error(object_.at, fmt::format("{} has no faces; expected at least one", reader_.what()));
         if (mirrored) add_mirror_image(object_);
+        read_place();
         reader_.finish();
         return std::move(object_);
     }
@@ -147,6 +172,13 @@ public:
 private:
     /// Faces with mistakes are dropped: then their absence is no second mistake.
     bool reading_clean() const { return reading_.diagnostics->all().size() == errors_before_; }
+
+    void read_place() {
+        const bool placed = reader_.has("at_m") || reader_.has("at_ft") || reader_.has("turned_deg");
+        const Vec3d at_m = reader_.point_m("at", Vec3d(0.0));
+        const double turned_rad = reader_.angle_rad("turned", 0.0, {-360, 360});
+        if (placed) place(object_, at_m, turned_rad);
+    }
 
     void read_points(const char* key, double unit, bool directions) {
         const toml::table* table = reader_.table(key);
@@ -322,6 +354,10 @@ std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Readin
         read_sequence(each, reading, objects);
     for (const AuthoredTable each : tables.churns)
         read_churn(each, reading, objects);
+    for (const AuthoredTable each : tables.mounds)
+        read_mounds(each, reading, objects);
+    for (const AuthoredTable each : tables.patchworks)
+        read_patchwork(each, reading, objects);
     NameTable names("object");
     for (const ModelObject& object : objects)
         names.add(object.name, object.at, *reading.sources, *reading.diagnostics);

@@ -117,6 +117,8 @@ void gather_file(const Sources& sources, std::uint16_t file, AuthoredTables& tab
     gather("object", tables.objects);
     gather("sequence", tables.sequences);
     gather("churn", tables.churns);
+    gather("mounds", tables.mounds);
+    gather("patchwork", tables.patchworks);
     gather("tile", tables.tiles);
     gather("detail", tables.details);
     reader.finish();

@@ -1,12 +1,10 @@
 #include "database/compiler/read_tiles.h"
 
-#include "database/model/mathematics.h"
-#include "database/water/sea_pattern.h"
+#include "database/compiler/tile_pattern.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace linkdig::database {
 
@@ -42,6 +40,12 @@ void check_list(TableReader& reader, std::uint32_t list, const std::vector<Model
     }
 }
 
+std::uint32_t add_normals(const std::vector<Vec3f>& table, Tiles& result) {
+    const auto first = static_cast<std::uint32_t>(result.normals.size());
+    result.normals.insert(result.normals.end(), table.begin(), table.end());
+    return first;
+}
+
 void read_tile(AuthoredTable table, const std::vector<ModelObject>& objects, const Reading& reading,
                Tiles& result) {
     TableReader reader = reader_of(table, *reading.sources, "tile", *reading.diagnostics);
@@ -60,13 +64,10 @@ void read_tile(AuthoredTable table, const std::vector<ModelObject>& objects, con
     if (tile.half_width % 4 != 0)
         reader.error_at("half_width", fmt::format("\"half_width\" is {}; expected a multiple of 4, 8 to {}",
                                                   tile.half_width, most_half_width));
-    const double vertical_angle_rad = reader.angle_rad("vertical_angle", {}, {0, 90});
-    tile.vertical_angle_rad = static_cast<float>(vertical_angle_rad);
     tile.colour =
         static_cast<std::uint16_t>(named(reader, "colour", reading.registry->colour_names, true).value_or(0));
-    const auto seed =
-        static_cast<std::uint64_t>(reader.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
-    reader.choice("pattern", 0, {"random"});
+    const bool face_shaded = reader.choice("shading", 0, {"vertex", "face"}) == 1;
+    const TilePattern pattern = read_pattern(reader, tile, face_shaded);
     if (tile.cell_m * static_cast<double>(1U << tile.rings) * tile.half_width > farthest_reach_m)
         reader.error_at("rings",
                         fmt::format("the rings reach further than {:.0f} m; expected fewer or smaller ones",
@@ -74,13 +75,9 @@ void read_tile(AuthoredTable table, const std::vector<ModelObject>& objects, con
     tile.file = table.file;
     tile.line = place_of(*table.table, table.file).line;
     reader.finish();
-    const std::size_t count = std::size_t{tile.period} * tile.period;
-    for (const NormalStream stream : {NormalStream::vertices, NormalStream::faces}) {
-        (stream == NormalStream::vertices ? tile.first_normal : tile.first_face_normal) =
-            static_cast<std::uint32_t>(result.normals.size());
-        const std::vector<Vec3f> normals = random_normals(seed, stream, count, vertical_angle_rad);
-        result.normals.insert(result.normals.end(), normals.begin(), normals.end());
-    }
+    if (!face_shaded) tile.first_normal = add_normals(pattern.vertices, result);
+    tile.first_face_normal = add_normals(pattern.faces, result);
+    if (face_shaded) tile.first_normal = tile.first_face_normal;
     result.tiles.push_back(tile);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Repeated tiles: squares with a random table of normals, out to the horizon.
+/// Repeated tiles: squares with a pattern of normals, out to the horizon.
 
 #include "database/compiler/model_object.h"
 

@@ -41,7 +41,7 @@ struct AuthoredTable {
 struct AuthoredTables {
     std::optional<AuthoredTable> database;
     std::vector<AuthoredTable> colours, suns, moving_objects, slots, clusters, cluster_planes, group_planes,
-        lists, objects, sequences, churns, tiles, details;
+        lists, objects, sequences, churns, mounds, patchworks, tiles, details;
 };
 
 AuthoredTables gather_tables(const Sources& sources, Diagnostics& diagnostics);

@@ -4,6 +4,7 @@
 #include "database/format/validate_parts.h"
 
 #include "database/model/mathematics.h"
+#include "database/model/tile_tables.h"
 
 #include <bit>
 
@@ -30,7 +31,7 @@ std::string check_parameters(const RepeatedTile& tile) {
 
 std::string check_indices(const VisualDatabase& database, std::size_t i) {
     const RepeatedTile& tile = database.tiles[i];
-    const std::uint64_t cells = std::uint64_t{tile.period} * tile.period;
+    const std::uint64_t cells = tile_table_size(tile);
     const std::size_t normals = database.tile_normals.size();
     if (!span_fits(tile.first_normal, cells, normals))
         return out_of_range("tiles", i, "first_normal", tile.first_normal, normals, "tile_normals");
@@ -71,8 +72,8 @@ std::string check_tiles(const VisualDatabase& database) {
             return wrong("lists", i, fmt::format("tile is {}, which belongs to another list", tile));
     }
     for (std::size_t i = 0; i < database.tile_normals.size(); ++i)
-        if (!within(length_of(database.tile_normals[i]), 1.0 - unit_tolerance, 1.0 + unit_tolerance))
-            return fmt::format("tile_normals[{}] is not a unit vector", i);
+        if (!within(length_of(database.tile_normals[i]), 0.0, 1.0 + unit_tolerance))
+            return fmt::format("tile_normals[{}] is longer than a unit vector", i);
     return {};
 }
 

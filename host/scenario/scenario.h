@@ -108,10 +108,10 @@ struct SequenceSection {
     double phase = 0.0;   ///< where it begins, as a fraction of the whole sequence
 };
 
-/// The own ship's approach, in the mean frame of a ship (x forward, y to port, z up from the water).
+/// The own ship's approach, in the mean frame of a ship (x forward, y to port, z up from the water), or in the world.
 struct ApproachSection {
-    Name ship;                   ///< a moving object that has a [[ship]]
-    double duration_s = 0.0;     ///< for scenarios of at least this length
+    Name ship;               ///< a moving object that has a [[ship]], or empty: the path hangs in the world
+    double duration_s = 0.0; ///< for scenarios of at least this length
     std::array<Vec3d, 4> path_m; ///< control points of a cubic Bezier curve: start, two handles, hover
     Vec3d first_aim_m{0};
     Vec3d last_aim_m{0};

@@ -101,7 +101,8 @@ void read_approaches(TableReader& root, Scenario& scenario) {
     for (const toml::table* table : root.tables("approach")) {
         TableReader reader(*table, root.file(), "[[approach]]", root.diagnostics());
         ApproachSection approach;
-        approach.ship = read_name(reader, "ship");
+        if (reader.has("ship")) approach.ship = read_name(reader, "ship");
+        reader.node("ship"); // known, though absent
         approach.duration_s = reader.duration_s("duration", {}, {1.0, 86400.0});
         const std::vector<Vec3d> path = reader.points_m("path");
         if (path.size() == approach.path_m.size())

@@ -1,6 +1,7 @@
 #include "ig/active/repeated_tile.h"
 
 #include "database/model/mathematics.h"
+#include "database/model/tile_tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +33,11 @@ public:
         : tile_(tile), normals_(database.tile_normals.data() + tile.first_normal),
           face_normals_(database.tile_normals.data() + tile.first_face_normal), active_(active),
           half_width_(tile.half_width) {
+        filtered_ = has_coarser_tables(tile);
+        mean_ = Vec3f(0, 0, static_cast<float>(sine(static_cast<double>(tile.vertical_angle_rad))));
+        if (filtered_) mean_ = normals_[tile_table_size(tile) - 1];
         take_updates(packet, block.list);
         look_from(packet, configuration, block);
-        mean_ = Vec3f(0, 0, static_cast<float>(sine(static_cast<double>(tile.vertical_angle_rad))));
     }
 
     void make() {
@@ -58,6 +61,7 @@ private:
         for (const VertexNormalUpdate& update : packet.normal_updates) {
             if (update.list != list) continue;
             auto& updated = active_.updated_normals;
+            filtered_ = false; // the stored coarser tables are those of the modelled normals
             if (normals_ != updated.data()) {
                 updated.assign(normals_, normals_ + std::size_t{tile_.period} * tile_.period);
                 normals_ = updated.data();
@@ -102,9 +106,21 @@ private:
         return static_cast<std::size_t>((j & mask) * static_cast<std::int64_t>(tile_.period) + (i & mask));
     }
 
+    /// Entry of a level that is not finer than the pattern: of its own table, or every 2^number-th of the pattern's.
+    std::size_t table_index(int number, std::int64_t i, std::int64_t j) const {
+        if (!filtered_) return pattern_index(i << number, j << number);
+        std::size_t first = 0;
+        std::int64_t side = tile_.period;
+        for (int k = 0; k < number && side > 1; ++k) {
+            first += static_cast<std::size_t>(side * side);
+            side /= 2;
+        }
+        return first + static_cast<std::size_t>((j & (side - 1)) * side + (i & (side - 1)));
+    }
+
     /// The level's own normal: the pattern's, or, below the pattern's squares, what they interpolate.
     Vec3f own_normal(int number, std::int64_t i, std::int64_t j) const {
-        if (number >= 0) return normals_[pattern_index(i << number, j << number)];
+        if (number >= 0) return normals_[table_index(number, i, j)];
         return coarse_normal(number, i, j);
     }
 
@@ -260,7 +276,7 @@ private:
         face.first_corner = first_corner;
         face.corner_count = static_cast<std::uint16_t>(corners.size() - first_corner);
         face.colour = tile_.colour;
-        face.shading = Shading::vertex;
+        face.shading = is_face_shaded(tile_) ? Shading::face : Shading::vertex;
         face.file = tile_.file;
         face.line = tile_.line;
         face.normal = square_normal(level, at);
@@ -272,7 +288,7 @@ private:
         const double x = (static_cast<double>(at.i) + 0.5) * level.side_m;
         const double y = (static_cast<double>(at.j) + 0.5) * level.side_m;
         const std::size_t index = level.number >= 0
-                                      ? pattern_index(at.i << level.number, at.j << level.number)
+                                      ? table_index(level.number, at.i, at.j)
                                       : pattern_index(at.i >> -level.number, at.j >> -level.number);
         return fade(face_normals_[index], detail_at(level, x, y).contrast);
     }
@@ -356,8 +372,9 @@ private:
     const Vec3f* face_normals_;
     ActiveDatabase& active_;
     std::int64_t half_width_;
-    Vec3d eye_{0};    ///< in the list's frame
-    Vec2d origin_{0}; ///< of the made vertices, in the list's frame: near the eye, on the grid
+    bool filtered_ = false; ///< coarser levels have tables of their own
+    Vec3d eye_{0};          ///< in the list's frame
+    Vec2d origin_{0};       ///< of the made vertices, in the list's frame: near the eye, on the grid
     double lines_per_tangent_ = 0;
     Vec3f mean_{0};
 };

@@ -3,6 +3,7 @@
 #include "tests/ig/small_database.h"
 
 #include "database/model/mathematics.h"
+#include "database/model/tile_tables.h"
 #include "ig/machine/machine.h"
 
 #include <gtest/gtest.h>
@@ -144,6 +145,43 @@ TEST(RepeatedTile, TakesTheHostsVertexNormals) {
     const FrameReport& report = by_normals.frame(packet);
     ASSERT_EQ(report.errors.size(), 1U);
     EXPECT_EQ(report.errors[0], "normal_updates[0] ends at normal 4097; expected at most 4096");
+}
+
+/// The sea with the pattern of a wave of two squares, and the coarser tables in which nothing is left of it.
+VisualDatabase short_wave_database(bool face_shaded) {
+    VisualDatabase database = sea_database();
+    RepeatedTile& tile = database.tiles[0];
+    const std::uint64_t size = with_coarser_size(tile.period);
+    tile.first_normal = 0;
+    tile.first_face_normal = face_shaded ? 0 : static_cast<std::uint32_t>(size);
+    database.tile_normals.clear();
+    for (std::uint64_t k = 0; k < 2 * size; ++k) {
+        const bool finest = k % size < std::uint64_t{tile.period} * tile.period;
+        const float slope = !finest ? 0.0F : k % size % 2 == 0 ? 0.6F : -0.6F;
+        database.tile_normals.emplace_back(slope, 0.0F, 0.8F);
+    }
+    return database;
+}
+
+TEST(RepeatedTile, WavesThatCoarseSquaresCannotCarryDoNotFlash) {
+    for (const bool face_shaded : {false, true}) {
+        const VisualDatabase database = short_wave_database(face_shaded);
+        Machine machine(database, raster_of(256, 256));
+        Machine other(database, raster_of(256, 256));
+        // Every 2^k-th vertex alone would be bright under one sun and dark under the other.
+        machine.frame(packet_of(channel_at({0, 0, 200}, 30.0, -12.0), 0.0));
+        other.frame(packet_of(channel_at({0, 0, 200}, 30.0, -12.0), pi));
+        const auto sum = [](const VideoFrame& picture, std::size_t first_row, std::size_t end_row) {
+            double green = 0;
+            for (std::size_t k = first_row * 256; k < end_row * 256; ++k)
+                green += picture.pixels[k] >> 8U & 0xffU;
+            return green / static_cast<double>((end_row - first_row) * 256);
+        };
+        EXPECT_NEAR(sum(machine.picture(0), 100, 150), sum(other.picture(0), 100, 150), 0.5);
+        machine.frame(packet_of(channel_at({0, 0, 20}, 30.0, -60.0), 0.0));
+        other.frame(packet_of(channel_at({0, 0, 20}, 30.0, -60.0), pi));
+        EXPECT_GT(greatest_difference(machine.picture(0), other.picture(0)), 15) << "close by it is there";
+    }
 }
 
 TEST(RepeatedTile, ContrastGoesWithTheSun) {

@@ -34,8 +34,10 @@ TEST(CompileCommand, SaysWhatItMade) {
     const std::string output = folder.path() + "/out.igdb";
     const std::string said = folder.path() + "/said";
     EXPECT_EQ(run(source + " -o " + output + " >" + said), 0);
-    EXPECT_EQ(bytes(said), "t: 6 faces (6 at most at once), 12 edges, 8 vertices, 0 planes, 0 faces cut, in "
-                           "1 lists and 1 clusters\n");
+    EXPECT_EQ(
+        bytes(said),
+        "t: 6 faces (6 at most at once), 12 edges, 8 vertices, 0 light points, 0 planes, 0 faces cut, in "
+        "1 lists and 1 clusters\n");
     EXPECT_GT(bytes(output).size(), 100U);
     EXPECT_EQ(run(source + " -o " + output + ".2 --json >" + said), 0);
     EXPECT_THAT(bytes(said), HasSubstr("\"faces\": 6"));

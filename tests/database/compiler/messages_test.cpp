@@ -291,6 +291,81 @@ TEST(Messages, TilesThatReachTooFarOrMakeTooMuch) {
                 HasSubstr("the tiles make 6029312 squares a frame; expected at most 4000000"));
 }
 
+TEST(Messages, PatternsOfTiles) {
+    const std::string tile =
+        "[[tile]]\nlist = \"list\"\nperiod = 16\ncell_m = 8\nrings = 3\nfine_levels = 1\nhalf_width = 8\n"
+        "colour = \"grey\"\nvertical_angle_deg = 60\n";
+    EXPECT_THAT(said(tile + "pattern = \"sine\"\n"), HasSubstr("lacks the key \"wavelength_m\""));
+    EXPECT_THAT(said(tile + "pattern = \"sine\"\nwavelength_m = 24\n"),
+                HasSubstr("root.toml:25: \"wavelength_m\" is 24 m, 3 squares; expected at least 4 squares"));
+    EXPECT_THAT(
+        said(tile + "pattern = \"sine\"\nwavelength_m = 50\n"),
+        HasSubstr(
+            "root.toml:25: a wave of 50 m at 0 degrees does not repeat over the pattern's 128 m; the nearest "
+            "that does has 42.6667 m at 0 degrees"));
+    EXPECT_THAT(
+        said(
+            tile +
+            "pattern = \"two_waves\"\nfirst_wavelength_m = 32\nsecond_wavelength_m = 64\nbetween_deg = 20\n"),
+        HasSubstr("root.toml:26: a wave of 64 m at 20 degrees does not repeat over the pattern's 128 m; the "
+                  "nearest "
+                  "that does has 57.2433 m at 26.57 degrees"));
+    EXPECT_THAT(said(tile + "pattern = \"sine\"\nwavelength_m = 64\nseed = 3\n"),
+                HasSubstr("unknown key \"seed\""));
+    const std::string levels = tile.substr(0, tile.find("vertical_angle"));
+    for (const char* wrong :
+         {"[]", "[[1, 2], [0, 0]]", "[[1, 0, 1], [0, 1, 0], [1, 0, 1]]", "[[1, 0], [1]]", "3"})
+        EXPECT_THAT(said(levels + "pattern = \"levels\"\nlevels = " + wrong + "\n"),
+                    HasSubstr("\"levels\" is no pattern of levels; expected n rows of n numbers, 0 to 1"))
+            << wrong;
+    EXPECT_THAT(said(tile + "pattern = \"levels\"\nlevels = [[1]]\n"),
+                HasSubstr("unknown key \"vertical_angle_deg\""));
+}
+
+TEST(Messages, Paths) {
+    const std::string path =
+        "[[object]]\nname = \"o\"\nlist = \"list\"\ncolour = \"grey\"\n[[object.path]]\nwidth_m = 2\n";
+    EXPECT_THAT(said(path + "points_m = [[0, 0, 0], [9, 0, 0], [0, 1, 0]]\n"),
+                HasSubstr("root.toml:21: the path turns by more than 120 degrees at point 2"));
+    for (const char* points : {"[[0, 0, 0]]", "[[0, 0, 0], [0, 0, 0]]", "[[0, 0, 0], [9, 0, 1]]"})
+        EXPECT_THAT(said(path + "points_m = " + points + "\n"),
+                    HasSubstr("root.toml:21: the path has no length, or its points differ in height"))
+            << points;
+}
+
+TEST(Messages, Patchworks) {
+    const std::string work =
+        "[[patchwork]]\nname = \"p\"\nlist = \"list\"\nfrom_m = [0, 0, 0]\ncolumns = 2\nrows = 2\nseed = 1\n";
+    EXPECT_THAT(said(work + "to_m = [9, 9, 1]\ncolours = [\"grey\"]\n"),
+                HasSubstr("root.toml:22: the patchwork has no area"));
+    EXPECT_THAT(said(work + "to_m = [9, 9, 0]\n"),
+                HasSubstr("\"p\" has no colours; expected at least one name"));
+    EXPECT_THAT(said(work + "to_m = [9, 9, 0]\ncolours = [\"gray\"]\n"),
+                HasSubstr("root.toml:23: no colour is named \"gray\"; did you mean \"grey\"?"));
+    EXPECT_THAT(said(work + "to_m = [9, 9, 0]\ncolours = [\"grey\"]\ndisorder = 0.5\n"),
+                HasSubstr("\"disorder\" is 0.5; expected 0 to 0.2"));
+}
+
+TEST(Messages, Mounds) {
+    const auto field = [](const std::string& lines) {
+        return said("[[mounds]]\nname = \"m\"\nlist = \"list\"\ncolour = \"grey\"\nfrom_m = [0, 0, 0]\n" +
+                    lines + "seed = 1\n");
+    };
+    EXPECT_THAT(
+        field("to_m = [90, 90, 0]\nspacing_m = 10\nradius_m = [4, 6]\nheight_m = [1, 2]\n"),
+        HasSubstr("root.toml:22: the greatest radius is 6 m and the spacing 10 m; expected at most half"));
+    EXPECT_THAT(field("to_m = [9, 90, 0]\nspacing_m = 10\nradius_m = [4, 5]\nheight_m = [1, 2]\n"),
+                HasSubstr("root.toml:20: the field holds no mound"));
+    EXPECT_THAT(
+        field("to_m = [9000, 9000, 0]\nspacing_m = 10\nradius_m = [4, 5]\nheight_m = [2, 1]\n"),
+        HasSubstr("root.toml:23: \"height_m\" is no range; expected [least, greatest], both above 0"));
+    EXPECT_THAT(field("to_m = [9000, 9000, 0]\nspacing_m = 10\nradius_m = [4, 5]\nheight_m = [1, 2]\n"),
+                HasSubstr("root.toml:21: the field makes up to 5670000 faces; expected at most 100000"));
+    EXPECT_THAT(
+        field("to_m = [90, 90, 0]\nspacing_m = 10\nradius_m = [4, 5]\nheight_m = [1, 2]\nleast_sides = 9\n"),
+        HasSubstr("\"least_sides\" is above \"greatest_sides\""));
+}
+
 TEST(Messages, Primitives) {
     const auto primitive = [](const std::string& kind, const std::string& text) {
         return said("[[object]]\nname = \"o\"\nlist = \"list\"\ncolour = \"grey\"\n[[object." + kind +

@@ -4,9 +4,16 @@
 #include "tests/database/compiler/authored.h"
 
 #include "database/format/write.h"
+#include "database/model/tile_tables.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace linkdig::database {
 namespace {
@@ -209,8 +216,112 @@ TEST(Tiles, HoldTheirTablesOfNormals) {
     EXPECT_EQ(d.lists[0].tile, 0);
     EXPECT_EQ(d.tile_normals.size(), 512U);
     EXPECT_EQ(d.tiles[0].first_face_normal, 256U);
+    EXPECT_FALSE(has_coarser_tables(d.tiles[0]));
     EXPECT_NEAR(d.tile_normals[300].z, std::sin(3.14159265358979 / 3), 1e-6);
     EXPECT_EQ(d.objects.size(), 1U) << "whose faces the tile's are";
+}
+
+const std::string tile_head =
+    "[[tile]]\nlist = \"list\"\nperiod = 16\ncell_m = 8\nrings = 3\nfine_levels = 1\n"
+    "half_width = 8\ncolour = \"grey\"\n";
+
+TEST(Tiles, OfWavesAndLevelsHaveCoarserTables) {
+    const VisualDatabase waves =
+        compiled(tile_head + "vertical_angle_deg = 60\npattern = \"two_waves\"\nfirst_wavelength_m = 64\n"
+                             "second_wavelength_m = 64\nbetween_deg = 90\ntable_size = 32\n");
+    EXPECT_EQ(waves.tile_normals.size(), 2U * (256 + 64 + 16 + 4 + 1));
+    EXPECT_TRUE(has_coarser_tables(waves.tiles[0]));
+    EXPECT_FALSE(is_face_shaded(waves.tiles[0]));
+    const VisualDatabase swell =
+        compiled(tile_head + "vertical_angle_deg = 60\npattern = \"sine\"\nwavelength_ft = 105\n");
+    EXPECT_NEAR(swell.tile_normals[1].y, 0.5, 1e-6) << "a quarter of a wave further, 32 m being four squares";
+    const VisualDatabase levels =
+        compiled(tile_head + "pattern = \"levels\"\nshading = \"face\"\nlevels = [[1, 0.5], [0.25, 0]]\n");
+    EXPECT_TRUE(is_face_shaded(levels.tiles[0]));
+    EXPECT_EQ(levels.tile_normals.size(), 341U) << "squares have no vertex normals then";
+    const std::uint32_t first = levels.tiles[0].first_face_normal;
+    EXPECT_EQ(levels.tile_normals[first], Vec3f(0, 0, 0.25F)) << "the last row is the southern one";
+    EXPECT_EQ(levels.tile_normals[first + 17], Vec3f(0, 0, 0.5F));
+    EXPECT_EQ(levels.tile_normals.back(), Vec3f(0, 0, 0.4375F));
+}
+
+TEST(Objects, AreTurnedAndMovedWhole) {
+    const VisualDatabase d =
+        compiled(head + "shading = \"vertex\"\nmirror = \"y\"\nat_m = [100, 50, 3]\nturned_deg = 90\n"
+                        "vertices_m = { a = [0, 0, 0], b = [4, 0, 0], c = [4, 2, 0] }\n"
+                        "normals = { b = [1, 0, 0] }\n[[object.face]]\ncorners = [\"a\", \"b\", \"c\"]\n");
+    std::vector<Vec4f> positions;
+    for (const Vertex& vertex : d.vertices)
+        positions.push_back(vertex.position);
+    EXPECT_THAT(positions, testing::UnorderedElementsAre(Vec4f(100, 50, 3, 1), Vec4f(100, 54, 3, 1),
+                                                         Vec4f(98, 54, 3, 1), Vec4f(102, 54, 3, 1)));
+    for (const Vertex& vertex : d.vertices)
+        if (vertex.position == Vec4f(100, 54, 3, 1)) {
+            EXPECT_NEAR(vertex.normal.y, 1, 1e-6);
+        }
+}
+
+TEST(Mounds, StandEachInItsSquareOnTheGround) {
+    const VisualDatabase d =
+        compiled("[[mounds]]\nname = \"m\"\nlist = \"list\"\ncolour = \"grey\"\nfrom_m = [0, 0, 2]\n"
+                 "to_m = [100, 65, 2]\nspacing_m = 20\nradius_m = [4, 9]\nheight_m = [1, 3]\n"
+                 "least_sides = 4\ngreatest_sides = 6\nseed = 5\n");
+    std::map<std::pair<int, int>, float> tops;
+    for (const Vertex& vertex : d.vertices) {
+        float& top = tops[{static_cast<int>(std::floor(vertex.position.x / 20)),
+                           static_cast<int>(std::floor(vertex.position.y / 20))}];
+        top = std::max(top, vertex.position.z);
+        EXPECT_GE(vertex.position.z, 2);
+    }
+    EXPECT_EQ(tops.size(), 15U) << "five columns and three rows, and nothing across their borders";
+    for (const auto& [square, top] : tops) {
+        EXPECT_TRUE(square.first >= 0 && square.first < 5 && square.second >= 0 && square.second < 3);
+        EXPECT_TRUE(top >= 3 && top <= 5) << top;
+    }
+    EXPECT_GE(d.faces.size(), 15U * 4);
+    for (const Face& face : d.faces)
+        EXPECT_GT(face.normal.z, 0) << "seen from above";
+}
+
+TEST(Mounds, HaveOutlinesAndASecondColour) {
+    const std::string field =
+        "[[colour]]\nname = \"line\"\nrgb = [1, 1, 1]\n[[mounds]]\nname = \"m\"\nlist = \"list\"\n"
+        "colour = \"grey\"\nfrom_m = [0, 0, 0]\nto_m = [20, 20, 0]\nspacing_m = 20\n"
+        "radius_m = [8, 8]\nheight_m = [2, 2]\nleast_sides = 6\ngreatest_sides = 6\nseed = 2\n";
+    const auto count_of = [](const VisualDatabase& d, std::uint16_t colour) {
+        return std::count_if(d.faces.begin(), d.faces.end(),
+                             [&](const Face& f) { return f.colour == colour; });
+    };
+    const VisualDatabase outlined = compiled(field + "outline_colour = \"line\"\noutline_width_m = 0.5\n");
+    EXPECT_EQ(count_of(outlined, 0), 6);
+    EXPECT_EQ(count_of(outlined, 1), 6);
+    EXPECT_EQ(outlined.faces.front().colour, 0) << "what is inside an outline lies in front of it";
+    const VisualDatabase checkered = compiled(field + "second_colour = \"line\"\n");
+    EXPECT_EQ(count_of(checkered, 0), 3);
+    EXPECT_EQ(count_of(checkered, 1), 3);
+}
+
+TEST(Patchworks, CoverTheirGroundOnce) {
+    const VisualDatabase d =
+        compiled("[[colour]]\nname = \"green\"\nrgb = [1, 9, 1]\n[[patchwork]]\nname = \"p\"\n"
+                 "list = \"list\"\ncolours = [\"grey\", \"green\"]\nfrom_m = [-30, 10, 2]\n"
+                 "to_m = [70, 50, 2]\ncolumns = 10\nrows = 8\ndisorder = 0.2\nseed = 4\n");
+    EXPECT_EQ(d.faces.size(), 80U);
+    EXPECT_EQ(d.vertices.size(), 99U) << "corners are shared";
+    double area = 0;
+    std::set<int> colours;
+    for (const Face& face : d.faces) {
+        EXPECT_EQ(face.normal, Vec3f(0, 0, 1));
+        colours.insert(face.colour);
+        for (std::uint32_t i = 1; i + 1 < face.corner_count; ++i) {
+            const Vec3d a(d.vertices[d.corners[face.first_corner]].position);
+            const Vec3d b(d.vertices[d.corners[face.first_corner + i]].position);
+            const Vec3d c(d.vertices[d.corners[face.first_corner + i + 1]].position);
+            area += 0.5 * glm::cross(b - a, c - a).z;
+        }
+    }
+    EXPECT_NEAR(area, 4000, 0.01);
+    EXPECT_EQ(colours.size(), 2U);
 }
 
 TEST(Includes, ContributeOnceAndFirst) {

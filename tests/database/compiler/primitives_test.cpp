@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -150,6 +151,9 @@ TEST(Primitives, MarkingsFaceUpWithTheirArea) {
     EXPECT_NEAR(area("ring", "centre_m = [1, 2, 3]\nradius_m = 3\nwidth_m = 1\nsides = 12"), polygon * 5 / 9,
                 1e-5);
     EXPECT_NEAR(area("stripe", "from_m = [0, 0, 3]\nto_m = [3, 4, 3]\nwidth_m = 0.5"), 2.5, 1e-5);
+    EXPECT_NEAR(area("path", "points_m = [[0, 0, 1], [10, 0, 1], [10, 10, 1], [20, 15, 1]]\nwidth_ft = 10"),
+                3.048 * (20 + std::sqrt(125.0)), 1e-4)
+        << "a mitre gives outside what it takes inside";
     // 5 m in dashes of 1 m every 1.5 m: 0-1, 1.5-2.5, 3-4, 4.5-5.
     EXPECT_NEAR(
         area("stripe", "from_m = [0, 0, 3]\nto_m = [3, 4, 3]\nwidth_m = 0.5\ndash_m = 1\ngap_m = 0.5"), 1.75,

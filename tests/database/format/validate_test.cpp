@@ -195,7 +195,11 @@ TEST(Validate, Tiles) {
         {"tiles[0].list is 2, which has faces of its own",
          [](auto& d) { d.lists[2].root = leaf_reference(0); }},
         {"lists[1].tile is 0, which belongs to another list", [](auto& d) { d.lists[1].tile = 0; }},
-        {"tile_normals[6] is not a unit vector", [](auto& d) { d.tile_normals[6].y = 0.1F; }},
+        {"tile_normals[6] is longer than a unit vector", [](auto& d) { d.tile_normals[6].y = 0.1F; }},
+        {"tiles[0].first_face_normal is 5, but there are 8 tile_normals", // two tables with coarser ones
+         [](auto& d) { d.tiles[0].first_face_normal = 5; }},
+        {"tiles[0].first_normal is 4, but there are 8 tile_normals", // one such table
+         [](auto& d) { d.tiles[0].first_normal = 4; }},
         {"tiles make 4456448 squares a frame; at most 4000000 are allowed",
          [](auto& d) {
              d.tiles[0].half_width = 256;

@@ -225,6 +225,16 @@ TEST_P(Approach, LooksAtTheShip) {
 
 INSTANTIATE_TEST_SUITE_P(Lengths, Approach, testing::Values(Flight{20.0, 400.0}, Flight{60.0, 926.0}));
 
+TEST(HostLoop, AnApproachWithoutAShipHangsInTheWorld) {
+    Scenario scenario = first_flight_scenario();
+    for (ApproachSection& each : scenario.approaches)
+        each.ship.text.clear();
+    HostLoop loop(scenario, first_flight_names(), 30.0, 4.0 / 3.0);
+    const ApproachSection& section = approach_for(scenario);
+    EXPECT_LT(glm::distance(loop.packet(0, {}).channels[0].eye_m, section.path_m.front()), 1e-9);
+    EXPECT_LT(glm::distance(loop.packet(loop.frames(), {}).channels[0].eye_m, section.path_m.back()), 1e-9);
+}
+
 TEST(HostLoop, ChannelsHaveTheirFieldsOfView) {
     Scenario scenario = first_flight_scenario();
     scenario.channels = {

@@ -190,6 +190,12 @@ TEST(LoadScenario, FeetAreFeet) {
     EXPECT_NEAR(result.scenario->approaches[0].path_m[0].z, 30.48, 1e-12);
 }
 
+TEST(LoadScenario, ApproachNeedsNoShip) {
+    const ScenarioResult result = loaded(replaced(sound, "[[approach]]\nship = \"lph2\"", "[[approach]]"));
+    ASSERT_TRUE(result.scenario.has_value()) << result.diagnostics.text();
+    EXPECT_EQ(result.scenario->approaches[0].ship.text, "");
+}
+
 TEST(ApproachFor, TheLongestThatFitsElseTheShortest) {
     Scenario scenario;
     for (const double duration : {20.0, 60.0}) {
