@@ -10,7 +10,14 @@ namespace {
 constexpr std::uint32_t wake_faces = 28; // S: report, 3.2.2
 
 void point(const MaybeSlot& slot, std::uint32_t alternative, FramePacket& packet) {
-    if (slot) packet.substitutions.push_back({slot->slot, std::min(alternative, slot->alternatives - 1)});
+    if (!slot) return;
+    const std::uint32_t index = std::min(alternative, slot->alternatives - 1);
+    // A [[sequence]] may have pointed it already: a slot has one row.
+    const auto same = std::ranges::find(packet.substitutions, slot->slot, &Substitution::slot);
+    if (same == packet.substitutions.end())
+        packet.substitutions.push_back({slot->slot, index});
+    else
+        same->index = index;
 }
 
 /// A sequence over what a slot has beside nothing.

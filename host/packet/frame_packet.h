@@ -64,7 +64,7 @@ struct VertexNormalUpdate {
 /// initialization (3.3.1.1). The cluster leaves its group; of equal numbers it comes after the whole group.
 struct ClusterPriority {
     std::uint32_t cluster = 0; ///< index into VisualDatabase::clusters
-    std::int32_t number = 0;   ///< the lower wins
+    std::int64_t number = 0;   ///< the lower wins
 };
 
 /// Something that the host itself stood at when it made the packet (a signal, its own ship's state; host/loop/host_values.h).

@@ -91,6 +91,14 @@ void read_value(const Json& json, const std::string& field, ShadingMethod& value
     throw JsonMistake(field, "expected \"as_modelled\" or \"no_smooth\"");
 }
 
+void read_value(const Json& json, const std::string& field, std::int64_t& value) {
+    constexpr auto greatest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    const bool fits =
+        json.is_number_integer() && (!json.is_number_unsigned() || json.get<std::uint64_t>() <= greatest);
+    if (!fits) throw JsonMistake(field, "expected a whole number of 64 bits");
+    value = json.get<std::int64_t>();
+}
+
 void read_value(const Json& json, const std::string& field, std::int32_t& value) {
     constexpr std::int64_t greatest = std::numeric_limits<std::int32_t>::max();
     const bool fits = json.is_number_unsigned()

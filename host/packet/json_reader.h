@@ -41,6 +41,8 @@ inline void read_value(const Json& json, const std::string& field, std::uint32_t
 inline void read_value(const Json& json, const std::string& field, std::uint8_t& value) {
     value = static_cast<std::uint8_t>(read_unsigned(json, field, 255));
 }
+/// Any whole number.
+void read_value(const Json& json, const std::string& field, std::int64_t& value);
 /// An index, or -1 for none.
 void read_value(const Json& json, const std::string& field, std::int32_t& value);
 

@@ -67,7 +67,7 @@ inline Substitution from_stored(const stored::Substitution& s) { return {s.slot(
 inline stored::Colour to_stored(const Colour& c) { return {c.red, c.green, c.blue}; }
 inline Colour from_stored(const stored::Colour& c) { return {c.red(), c.green(), c.blue(), 0}; }
 
-inline stored::ClusterPriority to_stored(const ClusterPriority& c) { return {c.cluster, c.number}; }
+inline stored::ClusterPriority to_stored(const ClusterPriority& c) { return {c.number, c.cluster}; }
 inline ClusterPriority from_stored(const stored::ClusterPriority& c) { return {c.cluster(), c.number()}; }
 
 inline stored::HostValue to_stored(const HostValue& h) { return {h.value, h.index}; }

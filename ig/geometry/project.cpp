@@ -247,7 +247,8 @@ private:
         const std::int64_t intensity =
             face.shading == Shading::unshaded ? intensity_one : lit_intensity(*block_, normal);
         const std::uint8_t code = block_->corner_colours[face.first_corner + k].*component;
-        seen.point.intensity = static_cast<double>((intensity * code + 127) / 255);
+        const std::int64_t part = (intensity * code + 127) / 255;
+        seen.point.intensity = static_cast<double>(part);
         return seen;
     }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array table{
     Key{Action::pause, "space", "pause, go on", SDLK_SPACE, SDLK_p, true},
-    Key{Action::step, ".", "single step", SDLK_PERIOD, SDLK_KP_PERIOD, true},
+    Key{Action::step, ".", "single step", SDLK_PERIOD, SDLK_KP_PERIOD},
     Key{Action::sun_up, "up", "sea's sun up 2 deg", SDLK_UP, 0, true},
     Key{Action::sun_down, "down", "sea's sun down 2 deg", SDLK_DOWN, 0, true},
     Key{Action::sea_sun_slower, "left", "sea's sun slower", SDLK_LEFT, 0, true},

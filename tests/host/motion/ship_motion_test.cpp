@@ -194,11 +194,11 @@ TEST(ShipMotion, PitchesBowUpBeforeTheCrestOfALongHeadSea) {
 }
 
 TEST(ShipAt, HeavePitchAndRollMoveTheBodyAndNotTheWaterline) {
-    const ShipTrack track{{100.0, 50.0, 0.0}, 0.5, 6.0};
+    const ShipTrack track{.start_m = {100.0, 50.0, 0.0}, .heading_rad = 0.5, .speed_mps = 6.0};
     const ShipMotion motion(swell, large_ship_response(), 0.5, 6.0);
     const double time = 41.0;
     const ShipMotionValues values = motion.at(time);
-    const MovingObject object = ship_at(track, motion, time, 2.0);
+    const MovingObject object = ship_at(track.at(time), values, {.all = 1.0, .pitch = 2.0});
     EXPECT_TRUE(object.visible);
     EXPECT_EQ(object.waterline_position_m.z, 0.0);
     EXPECT_NEAR(object.position_m.z, values[2], 1e-15);
@@ -212,9 +212,10 @@ TEST(ShipAt, HeavePitchAndRollMoveTheBodyAndNotTheWaterline) {
 }
 
 TEST(ShipTrack, MakesTwelveKnots) {
-    const ShipTrack track{{0.0, 0.0, 0.0}, heading_from_aviation(radians(90.0)), 12.0 * 1852.0 / 3600.0};
-    EXPECT_NEAR(track.position_m(300.0).x, 1852.0, 1e-9);
-    EXPECT_NEAR(track.position_m(300.0).y, 0.0, 1e-9);
+    const ShipTrack track{.heading_rad = heading_from_aviation(radians(90.0)),
+                          .speed_mps = 12.0 * 1852.0 / 3600.0};
+    EXPECT_NEAR(track.at(300.0).position_m.x, 1852.0, 1e-9);
+    EXPECT_NEAR(track.at(300.0).position_m.y, 0.0, 1e-9);
 }
 
 } // namespace
