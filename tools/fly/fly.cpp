@@ -46,11 +46,11 @@ public:
         const std::uint64_t frame = counter_.next(signals_.snapshot(), slots);
         if (screen_.of_1980 != (shown_ && shown_->of_1980)) change_profile();
         const Shown wanted{updated(frame), standing(signals_), screen_.of_1980};
-        if (shown_ != wanted) draw(wanted);
+        if (shown_ != wanted) draw(wanted, overruns);
         if (std::exchange(screen_.save_state, false)) save();
         if (std::exchange(screen_.load_state, false)) load();
         if (std::exchange(screen_.switch_effect, false)) switch_effect(wanted);
-        write_text(overruns);
+        write_text();
         show(0);
         return !screen_.quit;
     }
@@ -105,10 +105,11 @@ private:
         flight_.rebuild(configuration);
     }
 
-    void draw(const Shown& wanted) {
+    void draw(const Shown& wanted, std::uint64_t overruns) {
         const bool next = !shown_ || shown_->frame != wanted.frame;
         before_ = next ? flight_.history() : before_;
         report_ = flight_.draw(wanted.frame, wanted.signals);
+        report_.overruns = overruns;
         if (recording_ && next) recording_->write(flight_.packet());
         shown_ = wanted;
     }
@@ -146,8 +147,8 @@ private:
         prices_[screen_.effect] = price_of(effect, flight_, wanted.frame, standing(signals_));
     }
 
-    void write_text(std::uint64_t overruns) {
-        report_.overruns = overruns;
+    /// A picture that stands has text that stands: its figures are those of the frame that was drawn.
+    void write_text() {
         text_[0].lines =
             screen_.help || screen_.all_keys ? help_lines(screen_.all_keys) : std::vector<std::string>{};
         auto& foot = text_[1].lines;
