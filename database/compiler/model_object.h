@@ -92,6 +92,8 @@ FaceStyle read_style(TableReader& reader, const Reading& reading, const FaceStyl
 void read_membership(TableReader& reader, const Reading& reading, bool slot_required, ModelObject& object);
 /// slot and alternative of an object.
 void read_alternative(TableReader& reader, ModelObject& object);
+/// What every table that makes one object begins with: name, place, list, slot and alternative, detail and level.
+ModelObject begin_object(TableReader& reader, const AuthoredTable& table, const Reading& reading);
 /// mirror = "y".
 bool read_mirror(TableReader& reader);
 /// Mirrors vertices and faces in the plane y = 0. Vertices on it are shared, so that normals average across

@@ -131,11 +131,7 @@ Strip read_strip(TableReader& reader) {
 void read_churn(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects) {
     TableReader reader = reader_of(table, *reading.sources, "churn", *reading.diagnostics);
     const Mistakes mistakes(reader);
-    ModelObject object;
-    object.name = reader.text("name");
-    object.at = place_of(*table.table, table.file);
-    read_membership(reader, reading, false, object);
-    read_alternative(reader, object);
+    ModelObject object = begin_object(reader, table, reading);
     FaceStyle style;
     style.shading = Shading::vertex;
     if (const auto colour = named(reader, "colour", reading.registry->colour_names, true))

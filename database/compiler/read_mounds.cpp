@@ -211,11 +211,7 @@ Looks read_looks(TableReader& reader, const Reading& reading) {
 void read_mounds(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects) {
     TableReader reader = reader_of(table, *reading.sources, "mounds", *reading.diagnostics);
     const Mistakes mistakes(reader);
-    ModelObject object;
-    object.name = reader.text("name");
-    object.at = place_of(*table.table, table.file);
-    read_membership(reader, reading, false, object);
-    read_alternative(reader, object);
+    ModelObject object = begin_object(reader, table, reading);
     const Looks looks = read_looks(reader, reading);
     const Field field = read_field(reader);
     reader.finish();

@@ -83,6 +83,15 @@ void read_alternative(TableReader& reader, ModelObject& object) {
     }
 }
 
+ModelObject begin_object(TableReader& reader, const AuthoredTable& table, const Reading& reading) {
+    ModelObject object;
+    object.name = reader.text("name");
+    object.at = place_of(*table.table, table.file);
+    read_membership(reader, reading, false, object);
+    read_alternative(reader, object);
+    return object;
+}
+
 namespace {
 
 /// Turns and moves the object from its own axes to those of its list.
@@ -146,10 +155,7 @@ public:
           reader_(reader_of(table, *reading.sources, "object", *reading.diagnostics)) {}
 
     ModelObject read() {
-        object_.name = reader_.text("name");
-        object_.at = place_of(*table_.table, table_.file);
-        read_membership(reader_, reading_, false, object_);
-        read_alternative(reader_, object_);
+        object_ = begin_object(reader_, table_, reading_);
         style_ = read_style(reader_, reading_, {});
         const bool mirrored = read_mirror(reader_);
         read_points("vertices_m", 1.0, false);

@@ -96,11 +96,7 @@ Patchwork read_extent(TableReader& reader) {
 void read_patchwork(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects) {
     TableReader reader = reader_of(table, *reading.sources, "patchwork", *reading.diagnostics);
     const Mistakes mistakes(reader);
-    ModelObject object;
-    object.name = reader.text("name");
-    object.at = place_of(*table.table, table.file);
-    read_membership(reader, reading, false, object);
-    read_alternative(reader, object);
+    ModelObject object = begin_object(reader, table, reading);
     const FaceStyle style = read_style(reader, reading, {});
     Patchwork work = read_extent(reader);
     work.colours = read_colours(reader, reading);

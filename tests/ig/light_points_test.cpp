@@ -153,7 +153,11 @@ TEST(LightPoints, AddToWhatIsSeenAndClampOnce) {
         packet.sky = {0.5F, 0.5F, 0.5F};
         machine.frame(packet);
         const std::uint32_t middle = machine.picture(0).pixels[31 * 64 + 31] & 0xffU;
-        EXPECT_NEAR(middle, std::min(255.0, 128 + count * 0.00392 * 255 * 0.44), 1.0);
+        if (count == 12) {
+            EXPECT_NEAR(middle, 128 + 12 * 0.00392 * 255 * 0.44, 1.0);
+        } else {
+            EXPECT_EQ(middle, 255U);
+        }
         EXPECT_EQ(machine.picture(0).pixels[0] & 0xffU, 128U);
     }
 }

@@ -5,8 +5,9 @@
 namespace linkdig::tools {
 namespace {
 
-/// Where a corner at infinity is put, metres: far enough that the eye's height is no angle, near enough for floats.
-constexpr double far_m = 1e6;
+/// Where a corner at infinity is put, metres: so far that the chord between two of them is the
+/// horizon from any eye. The tree's floats only find the face: ranges come from its plane, in double.
+constexpr double far_m = 1e8;
 
 /// Where a list hangs this frame.
 struct Hanging {

@@ -15,7 +15,7 @@ namespace {
 constexpr double least_tolerance_m = 0.01;
 constexpr double relative_tolerance = 1e-4;
 /// Farther than every stand-in for infinity.
-constexpr float tree_reach_m = 1e8F;
+constexpr float tree_reach_m = 1e9F;
 
 enum class Wanted : std::uint8_t { nearest_visible, all_visible, nearest_of_any_side };
 
