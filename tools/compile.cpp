@@ -4,14 +4,17 @@
 #include "database/format/validate.h"
 #include "database/format/write.h"
 #include "tools/subcommands.h"
+#include "tools/watch/file_watch.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace linkdig::tools {
 
@@ -21,6 +24,7 @@ struct Arguments {
     std::string source;
     std::string output;
     bool json = false;
+    bool watch = false;
 };
 
 nlohmann::json as_json(const database::ListStatistics& list) {
@@ -31,15 +35,36 @@ nlohmann::json as_json(const database::ListStatistics& list) {
             {"lights", list.lights}, {"runs", list.runs}};
 }
 
+nlohmann::json as_json(const database::MeshStatistics& mesh) {
+    return {{"name", mesh.name},      {"objects", mesh.objects}, {"polygons", mesh.polygons},
+            {"faces", mesh.faces},    {"cut", mesh.cut},         {"without_area", mesh.without_area},
+            {"doubled", mesh.doubled}};
+}
+
 std::string json_text(const database::CompileResult& result) {
     nlohmann::json lists = nlohmann::json::array();
     for (const database::ListStatistics& list : result.statistics.lists)
         lists.push_back(as_json(list));
     nlohmann::json total = as_json(result.statistics.total());
     total["name"] = result.database->name;
-    return nlohmann::json{
-        {"total", total}, {"priority_planes", result.statistics.priority_planes}, {"lists", lists}}
+    nlohmann::json meshes = nlohmann::json::array();
+    for (const database::MeshStatistics& mesh : result.statistics.meshes)
+        meshes.push_back(as_json(mesh));
+    return nlohmann::json{{"total", total},
+                          {"priority_planes", result.statistics.priority_planes},
+                          {"lists", lists},
+                          {"meshes", meshes}}
         .dump(2);
+}
+
+std::string mesh_text(const database::CompileResult& result) {
+    std::string text;
+    for (const database::MeshStatistics& mesh : result.statistics.meshes)
+        text += fmt::format(
+            "\nmesh {}: {} polygons, {} faces in {} objects; {} polygons cut into triangles, {} faces "
+            "without area and {} doubled ones left out",
+            mesh.name, mesh.polygons, mesh.faces, mesh.objects, mesh.cut, mesh.without_area, mesh.doubled);
+    return text;
 }
 
 std::string line_text(const database::CompileResult& result) {
@@ -49,11 +74,11 @@ std::string line_text(const database::CompileResult& result) {
                        "{} clusters",
                        result.database->name, total.faces, total.faces_at_once, total.edges, total.vertices,
                        total.lights, total.planes + result.statistics.priority_planes, total.splits,
-                       result.database->lists.size(), result.database->clusters.size());
+                       result.database->lists.size(), result.database->clusters.size()) +
+           mesh_text(result);
 }
 
-int compile(const Arguments& arguments) {
-    const database::CompileResult result = database::compile_file(arguments.source);
+int compile_once(const Arguments& arguments, const database::CompileResult& result) {
     if (!result.database) {
         fmt::print(stderr, "{}", result.diagnostics.text());
         return bad_input;
@@ -74,6 +99,26 @@ int compile(const Arguments& arguments) {
     return done;
 }
 
+/// Compiles, then again whenever a file changes that the result depends on; ends when it is interrupted.
+int compile_and_watch(const Arguments& arguments) {
+    FileWatch watch;
+    for (;;) {
+        const database::CompileResult result = database::compile_file(arguments.source);
+        compile_once(arguments, result);
+        std::fflush(stdout);
+        watch.set(result.files);
+        while (!watch.changed())
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        std::this_thread::sleep_for(std::chrono::milliseconds(50)); // an editor may still be writing
+        watch.changed();
+    }
+}
+
+int compile(const Arguments& arguments) {
+    if (arguments.watch) return compile_and_watch(arguments);
+    return compile_once(arguments, database::compile_file(arguments.source));
+}
+
 } // namespace
 
 void add_compile(CLI::App& app, int& exit_code) {
@@ -82,6 +127,8 @@ void add_compile(CLI::App& app, int& exit_code) {
     command->add_option("SRC", arguments->source, "authoring file (.toml)")->required();
     command->add_option("-o,--output", arguments->output, "compiled database to write (.igdb)")->required();
     command->add_flag("--json", arguments->json, "print the counts, list by list, as JSON");
+    command->add_flag("--watch", arguments->watch,
+                      "stay, and compile again whenever SRC or a file that it includes is saved");
     command->footer(
         "Example: linkdig compile database/scenes/first_flight/first_flight.toml -o first_flight.igdb");
     command->callback([arguments, &exit_code] { exit_code = compile(*arguments); });

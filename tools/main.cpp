@@ -41,6 +41,8 @@ int run(int argc, char** argv) {
     linkdig::tools::add_demo(app, exit_code);
     linkdig::tools::add_compile(app, exit_code);
     linkdig::tools::add_inspect(app, exit_code);
+    linkdig::tools::add_export(app, exit_code);
+    linkdig::tools::add_preview(app, exit_code);
     linkdig::tools::add_render(app, exit_code);
     linkdig::tools::add_fly(app, exit_code);
     linkdig::tools::add_record(app, exit_code);

@@ -15,6 +15,8 @@ enum ExitCode : int {
 
 void add_compile(CLI::App& app, int& exit_code);
 void add_inspect(CLI::App& app, int& exit_code);
+void add_export(CLI::App& app, int& exit_code);
+void add_preview(CLI::App& app, int& exit_code);
 void add_demo(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
 void add_fly(CLI::App& app, int& exit_code);

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace linkdig::database {
 
@@ -82,7 +81,7 @@ public:
         statistics_.planes = static_cast<std::uint32_t>(ordered.order.nodes.size());
         statistics_.splits = ordered.order.splits;
         statistics_.vertices = static_cast<std::uint32_t>(database_.vertices.size() - first_vertex_);
-        statistics_.edges = static_cast<std::uint32_t>(edges_.size());
+        statistics_.edges = count_edges();
         statistics_.faces_at_once = static_cast<std::uint32_t>(present_.most(database_));
         return statistics_;
     }
@@ -140,8 +139,8 @@ private:
         for (const OrderCorner& corner : ordered.corners)
             put_corner(corner);
         for (std::size_t i = 0; i < ordered.corners.size(); ++i)
-            edges_.insert(std::minmax(ordered.corners[i].point,
-                                      ordered.corners[(i + 1) % ordered.corners.size()].point));
+            edges_.emplace_back(std::minmax(ordered.corners[i].point,
+                                            ordered.corners[(i + 1) % ordered.corners.size()].point));
     }
 
     void put_corner(const OrderCorner& corner) {
@@ -160,22 +159,32 @@ private:
         ++statistics_.lights;
     }
 
+    /// The vertex at the corner's point with its normal: a new one, or one that stands already.
     std::uint32_t vertex(const OrderCorner& corner) {
         const Vertex made{Vec4f(corner.position), Vec3f(corner.normal)};
-        const auto key = std::make_tuple(corner.point, made.normal.x, made.normal.y, made.normal.z);
-        const auto [found, is_new] =
-            vertices_.emplace(key, static_cast<std::uint32_t>(database_.vertices.size()));
-        if (is_new) database_.vertices.push_back(made);
-        return found->second;
+        if (corner.point >= at_point_.size()) at_point_.resize(corner.point + 1, no_vertex);
+        for (std::uint32_t v = at_point_[corner.point]; v != no_vertex; v = before_[v - first_vertex_])
+            if (database_.vertices[v].normal == made.normal) return v;
+        const auto index = static_cast<std::uint32_t>(database_.vertices.size());
+        database_.vertices.push_back(made);
+        before_.push_back(std::exchange(at_point_[corner.point], index));
+        return index;
+    }
+
+    std::uint32_t count_edges() {
+        std::sort(edges_.begin(), edges_.end());
+        return static_cast<std::uint32_t>(std::unique(edges_.begin(), edges_.end()) - edges_.begin());
     }
 
     const Assembly& parts_;
     VisualDatabase& database_;
     ListStatistics statistics_;
     std::size_t first_vertex_ = 0;
-    std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> vertices_;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;
-    MostAtOnce present_; ///< of its faces
+    static constexpr std::uint32_t no_vertex = 0xffffffffU;
+    std::vector<std::uint32_t> at_point_; ///< by point: the vertex made there last
+    std::vector<std::uint32_t> before_;   ///< by vertex of the list: the one made at its point before
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_; ///< with repetitions
+    MostAtOnce present_;                                         ///< of its faces
 };
 
 void add_names(const Assembly& parts, VisualDatabase& database) {

@@ -3,6 +3,8 @@
 #include "database/compiler/assemble.h"
 #include "database/compiler/check_objects.h"
 
+#include <utility>
+
 namespace linkdig::database {
 
 ListStatistics CompileStatistics::total() const {
@@ -24,10 +26,14 @@ ListStatistics CompileStatistics::total() const {
 CompileResult compile_file(const std::string& path) {
     CompileResult result;
     const Sources sources = read_sources(path, result.diagnostics);
+    result.files = sources.tried;
     const AuthoredTables tables = gather_tables(sources, result.diagnostics);
     const Registry registry = read_registry(tables, sources, result.diagnostics);
     const Reading reading{&sources, &registry, &result.diagnostics};
-    std::vector<ModelObject> objects = read_objects(tables, reading);
+    MeshFiles meshes;
+    std::vector<ModelObject> objects = read_objects(tables, reading, meshes);
+    result.statistics.meshes = std::move(meshes.statistics);
+    result.files.insert(result.files.end(), meshes.tried.begin(), meshes.tried.end());
     check_faces(objects, reading);
     check_slots(objects, reading);
     check_levels(objects, reading);

@@ -25,8 +25,20 @@ struct ListStatistics {
     std::uint32_t runs = 0;
 };
 
+/// What became of a [[mesh]] table's file.
+struct MeshStatistics {
+    std::string name;
+    std::uint32_t objects = 0;
+    std::uint32_t polygons = 0;     ///< in the file
+    std::uint32_t faces = 0;        ///< made of them, before the ordering pass cuts any
+    std::uint32_t cut = 0;          ///< polygons that were not planar or not convex, and became triangles
+    std::uint32_t without_area = 0; ///< left out: nothing of them would show
+    std::uint32_t doubled = 0;      ///< left out: one with the same corners stands already
+};
+
 struct CompileStatistics {
     std::vector<ListStatistics> lists; ///< parallel to VisualDatabase::lists
+    std::vector<MeshStatistics> meshes;
     std::uint32_t priority_planes = 0; ///< nodes of the clusters' and groups' trees
     /// Sums over the lists; the name stays empty.
     ListStatistics total() const;
@@ -36,6 +48,8 @@ struct CompileResult {
     std::optional<VisualDatabase> database; ///< absent if there is any mistake
     Diagnostics diagnostics;
     CompileStatistics statistics;
+    /// Every file that the result depends on, as opened, in the order of reading; those that could not be read too.
+    std::vector<std::string> files;
 };
 
 /// Compiles the file at `path`. All mistakes are told at once. The result depends on the files' contents and

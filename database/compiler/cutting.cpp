@@ -1,6 +1,7 @@
 #include "database/compiler/cutting.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace linkdig::database {
@@ -31,8 +32,18 @@ OrderCorner between(const OrderCorner& a, const OrderCorner& b, const Vec4d& pos
 
 } // namespace
 
+std::size_t EdgePoints::PlaceHash::operator()(const Place& place) const {
+    std::uint64_t hash = 0;
+    for (const double coordinate : place) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9E3779B97F4A7C15U;
+        hash ^= hash >> 32U;
+    }
+    return hash;
+}
+
 std::uint32_t EdgePoints::point(const Vec4d& position) {
-    const auto key = std::make_tuple(position.x, position.y, position.z, position.w);
+    // Adding nothing makes one zero of the two that a double has.
+    const Place key{position.x + 0.0, position.y + 0.0, position.z + 0.0, position.w};
     const auto [found, is_new] = index_.emplace(key, static_cast<std::uint32_t>(positions_.size()));
     if (is_new) {
         positions_.push_back(position);
@@ -82,6 +93,7 @@ OrderCorner EdgePoints::cross(const OrderCorner& a, const OrderCorner& b, const 
 }
 
 void EdgePoints::join(OrderFace& face) const {
+    if (cuts_.empty()) return;
     // An inserted point may end an edge that was cut on its own account.
     for (std::size_t before = 0; before != face.corners.size();) {
         before = face.corners.size();
@@ -138,7 +150,7 @@ OrderFace half(const OrderFace& face, const std::vector<int>& signs, int side, c
 
 } // namespace
 
-Halves cut_face(const OrderFace& face, const Plane& plane, double tolerance, EdgePoints& points) {
+Halves cut_face(OrderFace face, const Plane& plane, double tolerance, EdgePoints& points) {
     std::vector<int> signs;
     for (const OrderCorner& corner : face.corners)
         signs.push_back(side_sign(corner, plane, tolerance));
@@ -151,7 +163,7 @@ Halves cut_face(const OrderFace& face, const Plane& plane, double tolerance, Edg
         halves.back = 1;
         return halves;
     }
-    halves.faces = {face};
+    halves.faces.push_back(std::move(face));
     (front ? halves.front : back ? halves.back : halves.on) = 0;
     return halves;
 }

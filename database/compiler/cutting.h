@@ -3,10 +3,11 @@
 
 #include "database/compiler/ordering.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,10 @@ public:
 
 private:
     using Edge = std::pair<std::uint32_t, std::uint32_t>; ///< lower point first
+    using Place = std::array<double, 4>;
+    struct PlaceHash {
+        std::size_t operator()(const Place& place) const;
+    };
     struct Cut {
         double part = 0; ///< of the way from the edge's lower to its higher point
         std::uint32_t point = 0;
@@ -37,7 +42,8 @@ private:
 
     std::vector<Vec4d> positions_;
     std::vector<std::optional<Edge>> made_on_; ///< by point
-    std::map<std::tuple<double, double, double, double>, std::uint32_t> index_;
+    std::unordered_map<Place, std::uint32_t, PlaceHash>
+        index_;                             ///< looked up, never walked: it decides no order
     std::map<Edge, std::vector<Cut>> cuts_; ///< ascending by part
 };
 
@@ -47,6 +53,6 @@ struct Halves {
 };
 
 /// The parts of a face in front of a plane, on it, behind it.
-Halves cut_face(const OrderFace& face, const Plane& plane, double tolerance, EdgePoints& points);
+Halves cut_face(OrderFace face, const Plane& plane, double tolerance, EdgePoints& points);
 
 } // namespace linkdig::database

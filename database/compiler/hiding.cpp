@@ -94,6 +94,8 @@ Relation relation_of_layers(const OrderFace& a, const OrderFace& b, bool coplana
     const bool same_way = a.at_infinity || cosine > parallel_cosine;
     const bool either_way = cosine < -parallel_cosine && (a.two_sided || b.two_sided);
     if ((!same_way && !either_way) || !overlap(a, b)) return Relation::none;
+    if (a.layer == b.layer && a.of_mesh && b.of_mesh && a.source != b.source)
+        return a.source > b.source ? Relation::first_hides : Relation::second_hides;
     if (a.layer == b.layer) return Relation::tie;
     return a.layer > b.layer ? Relation::first_hides : Relation::second_hides;
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// Pass 3: objects as polygons over named or generated vertices, before they are checked and ordered.
 
+#include "database/compiler/compile.h"
 #include "database/compiler/polygon.h"
 #include "database/compiler/registry.h"
 
@@ -54,6 +55,7 @@ struct ModelObject {
     std::int32_t detail = none; ///< into the registry's details
     std::uint32_t level = 0;    ///< in that detail, which may have fewer (check_levels)
     bool resolved = false;      ///< everything that it names is known
+    bool of_mesh = false;       ///< read from a mesh file
     std::vector<ModelVertex> vertices;
     std::vector<ModelFace> faces;
     std::vector<ModelLight> lights;
@@ -70,9 +72,16 @@ struct Reading {
     }
 };
 
-/// Objects in the order of their files: [[object]]s, then [[sequence]]s, then [[churn]]s,
-/// [[mounds]] and [[patchwork]]s.
-std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Reading& reading);
+/// What reading [[mesh]] tables leaves beside objects.
+struct MeshFiles {
+    std::vector<std::string> tried; ///< paths as opened
+    std::vector<MeshStatistics> statistics;
+};
+
+/// Objects in the order of their files: [[object]]s, then [[mesh]]es, then [[sequence]]s, then
+/// [[churn]]s, [[mounds]] and [[patchwork]]s.
+std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Reading& reading,
+                                      MeshFiles& meshes);
 /// One object per alternative of the slot, its shape between the key shapes before and after (report, 3.2.2).
 void read_sequence(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
 /// Churned water: a strip of smooth squares on z = 0 with random normals that shrink towards its rims (report,

@@ -3,7 +3,9 @@
 #include "database/compiler/splitting_plane.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace linkdig::database {
@@ -37,6 +39,7 @@ public:
             bound(face);
         }
         tolerance_ = split_tolerance(faces);
+        large_ = faces.size() > most_faces_compared;
         order_.root = order(std::move(faces));
         for (std::vector<OrderFace>& leaf : order_.leaves)
             for (OrderFace& face : leaf)
@@ -47,8 +50,7 @@ public:
 private:
     std::int32_t order(std::vector<OrderFace> faces) {
         if (faces.empty()) return none;
-        if (faces.size() > most_faces_compared)
-            if (const auto plane = median_plane(faces, tolerance_)) return split(faces, *plane);
+        if (const auto plane = cell_plane(faces)) return split(std::move(faces), *plane);
         const auto tied = [&](const OrderFace& a, const OrderFace& b) {
             tell(order_.ties, told_ties_, a, b);
         };
@@ -69,21 +71,30 @@ private:
         return fixed_order(references, order_.nodes);
     }
 
+    /// The plane that divides a large list's cell further, if it is to be divided.
+    std::optional<Plane> cell_plane(std::span<const OrderFace> faces) const {
+        if (!large_ || faces.size() <= least_faces_of_cell) return std::nullopt;
+        const std::optional<EvenPlane> found = even_plane(faces, tolerance_);
+        if (!found || (found->cuts && faces.size() <= most_faces_of_cell)) return std::nullopt;
+        return found->plane;
+    }
+
     std::int32_t break_cycle(std::vector<OrderFace> cycle) {
-        if (const auto plane = splitting_plane(cycle, tolerance_)) return split(cycle, *plane);
+        if (const auto plane = splitting_plane(cycle, tolerance_)) return split(std::move(cycle), *plane);
         tell(order_.inseparable, told_inseparable_, cycle[0], cycle[1]);
         return add_leaf(std::move(cycle));
     }
 
-    std::int32_t split(const std::vector<OrderFace>& faces, const Plane& plane) {
+    std::int32_t split(std::vector<OrderFace> faces, const Plane& plane) {
         std::vector<OrderFace> front, on, back;
-        for (const OrderFace& face : faces) {
-            Halves halves = cut_face(face, plane, tolerance_, points_);
+        for (OrderFace& face : faces) {
+            Halves halves = cut_face(std::move(face), plane, tolerance_, points_);
             order_.splits += halves.faces.size() > 1 ? 1 : 0;
             if (halves.front) front.push_back(std::move(halves.faces[*halves.front]));
             if (halves.on) on.push_back(std::move(halves.faces[*halves.on]));
             if (halves.back) back.push_back(std::move(halves.faces[*halves.back]));
         }
+        faces = {}; // a large list does not fit in memory once per level of its tree
         PlaneNode node;
         node.normal = Vec3f(plane.normal);
         node.distance = static_cast<float>(plane.distance);
@@ -108,6 +119,7 @@ private:
     EdgePoints points_;
     FaceOrder order_;
     double tolerance_ = plane_tolerance_m;
+    bool large_ = false;
     std::set<Pair> told_ties_, told_inseparable_;
 };
 

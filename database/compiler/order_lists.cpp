@@ -49,6 +49,7 @@ OrderFace order_face(const ModelObject& object, const ModelFace& face, std::uint
     result.at_infinity = face.at_infinity;
     result.two_sided = face.style.two_sided;
     result.layer = face.style.layer;
+    result.of_mesh = object.of_mesh;
     result.slot = object.slot;
     result.alternative = object.alternative;
     place_in_detail(object, registry, result);

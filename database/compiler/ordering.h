@@ -46,6 +46,7 @@ struct OrderFace {
     /// only from the front of `plane`.
     bool is_light = false;
     bool directed = false;
+    bool of_mesh = false;      ///< where such faces overlap in one plane and layer, the later one is in front
     std::int32_t layer = 0;
     std::int32_t slot = none;
     std::uint32_t alternative = 0;
@@ -90,8 +91,11 @@ struct FaceOrder {
         inseparable; ///< sources that hide each other, no plane between
 };
 
-/// Larger sets are cut by axis planes before "can hide", which looks at all pairs, is asked.
+/// "Can hide" looks at all pairs. Lists of more faces than this are *large*: axis planes divide them first,
+/// into cells of at most `most_faces_of_cell`, and on as long as a plane cuts nothing, to `least_faces_of_cell`.
 inline constexpr std::size_t most_faces_compared = 4000;
+inline constexpr std::size_t most_faces_of_cell = 512;
+inline constexpr std::size_t least_faces_of_cell = 48;
 
 FaceOrder order_faces(std::vector<OrderFace> faces);
 

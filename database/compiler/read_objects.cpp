@@ -1,6 +1,7 @@
 #include "database/compiler/model_object.h"
 #include "database/compiler/primitives.h"
 #include "database/compiler/read_lights.h"
+#include "database/compiler/read_meshes.h"
 #include "database/model/mathematics.h"
 #include "database/model/units.h"
 
@@ -352,10 +353,13 @@ private:
 
 } // namespace
 
-std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Reading& reading) {
+std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Reading& reading,
+                                      MeshFiles& meshes) {
     std::vector<ModelObject> objects;
     for (const AuthoredTable each : tables.objects)
         objects.push_back(ObjectReader(each, reading).read());
+    for (const AuthoredTable each : tables.meshes)
+        read_mesh_objects(each, reading, objects, meshes);
     for (const AuthoredTable each : tables.sequences)
         read_sequence(each, reading, objects);
     for (const AuthoredTable each : tables.churns)

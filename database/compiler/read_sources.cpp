@@ -37,6 +37,7 @@ public:
             return;
         }
         if (!done_.insert(id).second) return;
+        sources.tried.push_back(path.generic_string());
         std::optional<Document> document = parse(path, at);
         if (!document) return;
         open_.push_back(id);
@@ -115,6 +116,7 @@ void gather_file(const Sources& sources, std::uint16_t file, AuthoredTables& tab
     gather("group_plane", tables.group_planes);
     gather("object_list", tables.lists);
     gather("object", tables.objects);
+    gather("mesh", tables.meshes);
     gather("sequence", tables.sequences);
     gather("churn", tables.churns);
     gather("mounds", tables.mounds);

@@ -26,6 +26,7 @@ struct Source {
 /// In the order in which they contribute: a file's includes before itself, depth first, each file once.
 struct Sources {
     std::vector<Source> files;
+    std::vector<std::string> tried; ///< every path that was to be read, those that could not be too
     SourceLocation location(Place place) const { return {files[place.file].path, place.line, place.column}; }
 };
 
@@ -41,7 +42,7 @@ struct AuthoredTable {
 struct AuthoredTables {
     std::optional<AuthoredTable> database;
     std::vector<AuthoredTable> colours, suns, moving_objects, slots, clusters, cluster_planes, group_planes,
-        lists, objects, sequences, churns, mounds, patchworks, tiles, details;
+        lists, objects, meshes, sequences, churns, mounds, patchworks, tiles, details;
 };
 
 AuthoredTables gather_tables(const Sources& sources, Diagnostics& diagnostics);

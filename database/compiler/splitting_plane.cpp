@@ -125,17 +125,4 @@ std::optional<Plane> splitting_plane(std::span<const OrderFace> faces, double to
     return candidates.best();
 }
 
-std::optional<Plane> median_plane(std::span<const OrderFace> faces, double tolerance) {
-    constexpr std::size_t tried_per_axis = 9;
-    Candidates candidates(faces, tolerance);
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::vector<double> all = borders(faces, axis);
-        for (std::size_t i = 0; i < tried_per_axis; ++i) // the middle third
-            if (!all.empty())
-                candidates.offer(
-                    axis_plane(axis, all[all.size() / 3 + i * (all.size() / 3) / tried_per_axis]));
-    }
-    return candidates.best();
-}
-
 } // namespace linkdig::database

@@ -32,11 +32,10 @@ Number load(std::span<const std::uint8_t> file, std::size_t at) {
 }
 
 /// The payload's hash is its identity too; hashing that with the header's fields needs one pass, not two.
-std::uint64_t hash_of_file(std::span<const std::uint8_t> file) {
-    const std::span<const std::uint8_t> payload = file.subspan(header_bytes);
+std::uint64_t hash_of_file(std::span<const std::uint8_t> file, std::uint64_t id) {
     std::array<std::uint8_t, hash_at + 8> message{};
     std::copy_n(file.begin(), hash_at, message.begin());
-    store<std::uint64_t>(message, hash_at, payload_id(payload));
+    store<std::uint64_t>(message, hash_at, id);
     return XXH64(message.data(), message.size(), 0);
 }
 
@@ -52,10 +51,10 @@ void seal_header(std::span<std::uint8_t> file) {
     store<std::uint32_t>(file, version_at, format_version);
     store<std::uint32_t>(file, reserved_at, 0);
     store<std::uint64_t>(file, length_at, file.size() - header_bytes);
-    store<std::uint64_t>(file, hash_at, hash_of_file(file));
+    store<std::uint64_t>(file, hash_at, hash_of_file(file, payload_id(file.subspan(header_bytes))));
 }
 
-std::string check_header(std::span<const std::uint8_t> file) {
+std::string check_header(std::span<const std::uint8_t> file, std::uint64_t& id) {
     if (file.empty()) return "the file is empty";
     if (file.size() < header_bytes)
         return fmt::format("cut short: {} bytes, the header alone takes {}", file.size(), header_bytes);
@@ -72,7 +71,8 @@ std::string check_header(std::span<const std::uint8_t> file) {
         return fmt::format("cut short: the header promises {} bytes, {} are there", length, present);
     if (length < present)
         return fmt::format("damaged: {} bytes follow the end that the header gives", present - length);
-    if (const std::uint64_t hash = hash_of_file(file); hash != load<std::uint64_t>(file, hash_at))
+    id = payload_id(file.subspan(header_bytes));
+    if (const std::uint64_t hash = hash_of_file(file, id); hash != load<std::uint64_t>(file, hash_at))
         return fmt::format("damaged: its contents hash to {:016x}, the header says {:016x}", hash,
                            load<std::uint64_t>(file, hash_at));
     return {};

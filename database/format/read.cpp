@@ -1,6 +1,7 @@
 #include "database/format/read.h"
 
 #include "database/format/file_header.h"
+#include "database/format/large_pages.h"
 #include "database/format/stored_records.h"
 #include "database/format/validate.h"
 
@@ -37,11 +38,14 @@ public:
         if (from.size() != 0 && reinterpret_cast<std::uintptr_t>(from.Data()) % alignof(Stored) != 0)
             return refuse(fmt::format("damaged: {} are not aligned", what));
         to.reserve(from.size());
+        prefer_large_pages(to.data(), from.size() * sizeof(Record));
         for (flatbuffers::uoffset_t i = 0; i < from.size(); ++i)
             to.push_back(from_stored(*from.Get(i)));
     }
 
     void numbers(const flatbuffers::Vector<std::uint32_t>& from, std::vector<std::uint32_t>& to) {
+        to.reserve(from.size());
+        prefer_large_pages(to.data(), from.size() * sizeof(std::uint32_t));
         to.assign(from.begin(), from.end());
     }
 
@@ -112,15 +116,15 @@ void copy_unnamed(const stored::VisualDatabase& from, VisualDatabase& to, Copier
     copier.records(*from.tile_normals(), to.tile_normals, "tile_normals");
 }
 
-/// `payload` is aligned.
-ReadResult decode_payload(std::span<const std::uint8_t> payload) {
+/// `payload` is aligned, and its identity is `id`.
+ReadResult decode_payload(std::span<const std::uint8_t> payload, std::uint64_t id) {
     if (payload.size() > max_payload_bytes)
         return refused(fmt::format("too large: {} bytes", payload.size()));
     flatbuffers::Verifier verifier(payload.data(), payload.size());
     if (payload.size() < 2 * sizeof(flatbuffers::uoffset_t) || !stored::VerifyVisualDatabaseBuffer(verifier))
         return refused("damaged: the FlatBuffers verifier refuses it");
     const stored::VisualDatabase& root = *stored::GetVisualDatabase(payload.data());
-    ReadResult result{.database = VisualDatabase{}, .id = payload_id(payload), .error = {}};
+    ReadResult result{.database = VisualDatabase{}, .id = id, .error = {}};
     Copier copier(payload.size());
     copy_named(root, *result.database, copier);
     copy_unnamed(root, *result.database, copier);
@@ -130,8 +134,14 @@ ReadResult decode_payload(std::span<const std::uint8_t> payload) {
     return result;
 }
 
+/// A whole file in memory that nobody has filled with zeros first.
+struct FileBytes {
+    std::unique_ptr<std::uint8_t[]> data;
+    std::size_t size = 0;
+};
+
 /// Empty and `error` set if the file cannot be read.
-std::vector<std::uint8_t> read_file(const std::string& path, std::string& error) {
+FileBytes read_file(const std::string& path, std::string& error) {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
     if (status.type() == fs::file_type::not_found) {
@@ -154,8 +164,9 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::string& error)
         error = code ? code.message() : fmt::format("too large: {} bytes", size);
         return {};
     }
-    std::vector<std::uint8_t> bytes(size);
-    if (std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size())
+    FileBytes bytes{std::unique_ptr<std::uint8_t[]>(new std::uint8_t[size]), size};
+    prefer_large_pages(bytes.data.get(), size);
+    if (std::fread(bytes.data.get(), 1, size, file.get()) != size)
         error = "it became shorter while it was read";
     return bytes;
 }
@@ -163,17 +174,19 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::string& error)
 } // namespace
 
 ReadResult decode_database(std::span<const std::uint8_t> file) {
-    if (std::string reason = check_header(file); !reason.empty()) return refused(std::move(reason));
+    std::uint64_t id = 0;
+    if (std::string reason = check_header(file, id); !reason.empty()) return refused(std::move(reason));
     const std::span<const std::uint8_t> payload = file.subspan(header_bytes);
-    if (reinterpret_cast<std::uintptr_t>(payload.data()) % alignment == 0) return decode_payload(payload);
+    if (reinterpret_cast<std::uintptr_t>(payload.data()) % alignment == 0) return decode_payload(payload, id);
     const std::vector<std::uint8_t> aligned(payload.begin(), payload.end());
-    return decode_payload(aligned);
+    return decode_payload(aligned, id);
 }
 
 ReadResult read_database(const std::string& path) {
     std::string error;
-    const std::vector<std::uint8_t> file = read_file(path, error);
-    ReadResult result = error.empty() ? decode_database(file) : refused(error);
+    const FileBytes file = read_file(path, error);
+    ReadResult result =
+        error.empty() ? decode_database(std::span(file.data.get(), file.size)) : refused(error);
     if (!result.error.empty())
         result.error = fmt::format("{}: cannot be read as a visual database: {}", path, result.error);
     return result;

@@ -21,9 +21,8 @@ constexpr float paper[4] = {0.10F, 0.11F, 0.13F, 1.0F};
 constexpr float heading_ink[4] = {0.96F, 0.96F, 0.94F, 1.0F};
 constexpr float title_ink[4] = {0.78F, 0.80F, 0.82F, 1.0F};
 
-OIIO::ROI sheet_area(int picture_width, int picture_height) {
+OIIO::ROI sheet_area(int picture_width, int picture_height, int rows) {
     const int columns = sheet_columns;
-    const int rows = sheet_rows;
     return {0, columns * (picture_width + gap) + gap,
             0, heading_height + rows * (picture_height + title_height + gap),
             0, 1,
@@ -35,6 +34,7 @@ OIIO::ROI sheet_area(int picture_width, int picture_height) {
 struct ContactSheet::State {
     int picture_width = 0;
     int picture_height = 0;
+    std::uint32_t pictures = 0;
     OIIO::ImageBuf page;
 };
 
@@ -46,13 +46,15 @@ std::array<std::uint64_t, sheet_pictures> sheet_frames(std::uint64_t frames) {
     return chosen;
 }
 
-ContactSheet::ContactSheet(const std::string& heading, std::uint32_t width, std::uint32_t height)
+ContactSheet::ContactSheet(const std::string& heading, std::uint32_t width, std::uint32_t height,
+                           std::uint32_t rows)
     : state_(std::make_unique<State>()) {
-    assert(width > 0 && height > 0);
+    assert(width > 0 && height > 0 && rows > 0);
+    state_->pictures = sheet_columns * rows;
     const std::uint32_t shown = std::min(width, widest_picture);
     state_->picture_width = static_cast<int>(shown);
     state_->picture_height = std::max(1, static_cast<int>(height * shown / width));
-    const OIIO::ROI area = sheet_area(state_->picture_width, state_->picture_height);
+    const OIIO::ROI area = sheet_area(state_->picture_width, state_->picture_height, static_cast<int>(rows));
     state_->page.reset(OIIO::ImageSpec(area, OIIO::TypeDesc::UINT8));
     OIIO::ImageBufAlgo::fill(state_->page, paper);
     OIIO::ImageBufAlgo::render_text(state_->page, gap, 32, heading, 22, title_font, heading_ink);
@@ -61,7 +63,7 @@ ContactSheet::ContactSheet(const std::string& heading, std::uint32_t width, std:
 ContactSheet::~ContactSheet() = default;
 
 void ContactSheet::place(std::uint32_t place, const ig::VideoFrame& picture, const std::string& title) {
-    assert(place < sheet_pictures);
+    assert(place < state_->pictures);
     const int x = gap + static_cast<int>(place % sheet_columns) * (state_->picture_width + gap);
     const int y = heading_height +
                   static_cast<int>(place / sheet_columns) * (state_->picture_height + title_height + gap);

@@ -1,5 +1,5 @@
 #pragma once
-/// A contact sheet: twelve pictures of a flight on one page, each with its title.
+/// A contact sheet: pictures on one page, each with its title; of a flight twelve.
 
 #include "ig/video/line.h"
 
@@ -20,13 +20,14 @@ std::array<std::uint64_t, sheet_pictures> sheet_frames(std::uint64_t frames);
 
 class ContactSheet {
 public:
-    /// `heading` stands over the pictures, which are `width` x `height` pixels where they come from.
-    ContactSheet(const std::string& heading, std::uint32_t width, std::uint32_t height);
+    /// `heading` stands over the pictures, which are `width` x `height` pixels where they come from. 1 row to 100.
+    ContactSheet(const std::string& heading, std::uint32_t width, std::uint32_t height,
+                 std::uint32_t rows = sheet_rows);
     ~ContactSheet();
     ContactSheet(const ContactSheet&) = delete;
     ContactSheet& operator=(const ContactSheet&) = delete;
 
-    /// Puts a picture and its title on a place, 0 to 11, row by row.
+    /// Puts a picture and its title on a place, from 0 on, row by row.
     void place(std::uint32_t place, const ig::VideoFrame& picture, const std::string& title);
     /// Writes the sheet as PNG. Throws std::runtime_error, naming the file, if it cannot.
     void write(const std::string& path) const;

@@ -1,0 +1,14 @@
+#pragma once
+/// glTF 2.0 out, through Assimp.
+
+#include "database/mesh/mesh.h"
+
+#include <string>
+
+namespace linkdig::database {
+
+/// The file's bytes for `path`, which ends in .gltf (buffers inside, as text) or .glb: polygons are cut into fans of
+/// triangles from their first corner. Throws std::runtime_error, naming the path and the reason.
+void write_mesh(const Mesh& mesh, const std::string& path);
+
+} // namespace linkdig::database

@@ -1,0 +1,276 @@
+/// Meshes in and out: what stands in a file becomes faces, and comes back.
+
+#include "tests/database/compiler/authored.h"
+
+#include "database/mesh/mesh_of_database.h"
+#include "database/mesh/read_mesh.h"
+#include "database/mesh/write_mesh.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace linkdig::database {
+namespace {
+
+using testing::HasSubstr;
+
+/// An L-shaped block, concave seen from above, as Wavefront OBJ: z up, two materials, counter-clockwise faces.
+const std::string l_block = "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 2 2 0\nv 2 4 0\nv 0 4 0\n"
+                            "v 0 0 3\nv 4 0 3\nv 4 2 3\nv 2 2 3\nv 2 4 3\nv 0 4 3\n"
+                            "o block\nusemtl walls\n"
+                            "f 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n"
+                            "usemtl roof\nf 7 8 9 10 11 12\nf 6 5 4 3 2 1\n";
+
+std::string mesh_table(const std::string& file,
+                       const std::string& more = "unit = \"m\"\ncolour = \"grey\"\n") {
+    return "[[mesh]]\nname = \"thing\"\nfile = \"" + file + "\"\nlist = \"list\"\n" + more;
+}
+
+struct Scene {
+    ScratchFolder folder;
+    CompileResult compile(const std::string& tables) const {
+        return compile_file(folder.write("root.toml", scene(tables)));
+    }
+    std::string said(const std::string& tables) const {
+        const CompileResult result = compile(tables);
+        EXPECT_FALSE(result.database) << tables;
+        return messages(result);
+    }
+};
+
+double area_of(const VisualDatabase& d) {
+    double sum = 0;
+    for (const Face& face : d.faces) {
+        const auto at = [&](std::uint32_t i) {
+            return Vec3d(Vec3f(d.vertices[d.corners[face.first_corner + i]].position));
+        };
+        for (std::uint32_t i = 1; i + 1U < face.corner_count; ++i)
+            sum += 0.5 * glm::dot(Vec3d(face.normal), glm::cross(at(i) - at(0), at(i + 1) - at(0)));
+    }
+    return sum;
+}
+
+/// Sum over faces of area x distance: six times ... of a closed solid its volume, whatever triangles it is made of.
+double volume_of(const VisualDatabase& d) {
+    double sum = 0;
+    for (const Face& face : d.faces) {
+        const auto at = [&](std::uint32_t i) {
+            return Vec3d(Vec3f(d.vertices[d.corners[face.first_corner + i]].position));
+        };
+        for (std::uint32_t i = 1; i + 1U < face.corner_count; ++i)
+            sum += glm::dot(at(0), glm::cross(at(i), at(i + 1))) / 6.0;
+    }
+    return sum;
+}
+
+TEST(Meshes, AConcaveBlockKeepsItsAreaAndVolume) {
+    const Scene scene_of;
+    scene_of.folder.write("l.obj", l_block);
+    const CompileResult result =
+        scene_of.compile(mesh_table("l.obj", "unit = \"m\"\nup = \"z\"\ncolour = \"grey\"\n"));
+    ASSERT_TRUE(result.database) << messages(result);
+    EXPECT_NEAR(area_of(*result.database), 16 * 3 + 2 * 12, 1e-4);
+    EXPECT_NEAR(volume_of(*result.database), 12 * 3, 1e-4);
+    const MeshStatistics& mesh = result.statistics.meshes.at(0);
+    EXPECT_EQ(mesh.polygons, 8U);
+    EXPECT_EQ(mesh.cut, 2U); // roof and floor
+    EXPECT_EQ(mesh.faces, 6U + 2U * 4U);
+}
+
+TEST(Meshes, UnitAxesHeadingAndPositionPlaceThem) {
+    const Scene scene_of;
+    scene_of.folder.write("t.obj", "v 1 2 3\nv 2 2 3\nv 1 3 3\nf 1 2 3\n"); // x, y, z of the file, in feet
+    const auto first_corner = [&](const std::string& more) {
+        const CompileResult result = scene_of.compile(mesh_table("t.obj", "colour = \"grey\"\n" + more));
+        EXPECT_TRUE(result.database) << messages(result);
+        return result.database ? Vec3d(Vec3f(result.database->vertices[0].position)) : Vec3d(0.0);
+    };
+    EXPECT_LT(glm::distance(first_corner("unit = \"ft\"\nup = \"z\"\n"), 0.3048 * Vec3d(1, 2, 3)), 1e-6);
+    EXPECT_LT(glm::distance(first_corner("unit = \"m\"\n"), Vec3d(3, 1, 2)),
+              1e-6); // y up: forward is z, port is x
+    EXPECT_LT(glm::distance(first_corner("metres_per_unit = 0.5\nup = \"z\"\nposition_m = [10, 0, 0]\n"),
+                            Vec3d(10.5, 1, 1.5)),
+              1e-6);
+    EXPECT_LT(glm::distance(first_corner("unit = \"m\"\nup = \"z\"\nheading_deg = 90\n"), Vec3d(-2, 1, 3)),
+              1e-6);
+}
+
+TEST(Meshes, MaterialsBecomeColoursAndNodesObjects) {
+    const Scene scene_of;
+    scene_of.folder.write("l.obj", l_block + "o lid\nusemtl grey\nf 7 8 9\n");
+    const std::string colour = "[[colour]]\nname = \"red\"\nrgb = [200, 0, 0]\n";
+    const CompileResult result = scene_of.compile(
+        colour +
+        mesh_table("l.obj",
+                   "unit = \"m\"\nup = \"z\"\nlayer = 1\ncolours = { walls = \"red\", roof = \"grey\" }\n"
+                   "objects = { lid = \"cover\" }\n"));
+    // Lid and roof lie in one plane, in one layer.
+    EXPECT_THAT(messages(result), HasSubstr("coplanar faces overlap"));
+    scene_of.folder.write("l.obj", l_block + "v 0 0 9\nv 1 0 9\nv 0 1 9\no lid\nusemtl grey\nf 13 14 15\n");
+    const CompileResult good = scene_of.compile(
+        colour + mesh_table("l.obj",
+                            "unit = \"m\"\nup = \"z\"\ncolours = { walls = \"red\", roof = \"grey\" }\n"
+                            "objects = { lid = \"cover\" }\n"));
+    ASSERT_TRUE(good.database) << messages(good);
+    std::map<std::string, int> faces;
+    for (const Face& face : good.database->faces)
+        ++faces[good.database->objects[face.object].name + "/" + good.database->colour_names[face.colour]];
+    EXPECT_EQ(faces["thing.block/red"], 6);
+    EXPECT_EQ(faces["thing.block/grey"], 8);
+    EXPECT_EQ(faces["cover/grey"], 1); // a material with the name of a colour code
+    EXPECT_EQ(faces.size(), 3U);
+}
+
+TEST(Meshes, WhatShowsNothingIsLeftOutAndCounted) {
+    const Scene scene_of;
+    scene_of.folder.write("t.obj",
+                          "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 2 3 1\nf 1 2 4\nf 3 2 1\n");
+    const CompileResult result = scene_of.compile(mesh_table("t.obj"));
+    ASSERT_TRUE(result.database) << messages(result);
+    EXPECT_EQ(result.database->faces.size(), 2U); // front and back
+    EXPECT_EQ(result.statistics.meshes.at(0).doubled, 1U);
+    EXPECT_EQ(result.statistics.meshes.at(0).without_area, 1U);
+}
+
+TEST(Meshes, MistakesAreTold) {
+    const Scene scene_of;
+    const ScratchFolder& folder = scene_of.folder;
+    folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n");
+    EXPECT_THAT(scene_of.said(mesh_table("no.obj")),
+                HasSubstr("root.toml:17: cannot read the mesh \"" + folder.path() +
+                          "/no.obj\": there is no such file"));
+    folder.write("t.txt", "v");
+    EXPECT_THAT(scene_of.said(mesh_table("t.txt")), HasSubstr("ends in \".txt\""));
+    std::filesystem::create_directories(folder.path() + "/dir.obj");
+    EXPECT_THAT(scene_of.said(mesh_table("dir.obj")), HasSubstr("it is a directory"));
+    folder.write("empty.obj", "");
+    EXPECT_THAT(scene_of.said(mesh_table("empty.obj")), HasSubstr("empty.obj\": "));
+    folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    EXPECT_THAT(scene_of.said(mesh_table("points.obj")), HasSubstr("points.obj\": "));
+    folder.write("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_THAT(scene_of.said(mesh_table("nan.obj")), HasSubstr("is not a finite point"));
+    folder.write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+    EXPECT_THAT(scene_of.said(mesh_table("index.obj")), HasSubstr("index.obj\": "));
+    folder.write("broken.gltf", "{ \"asset\": ");
+    EXPECT_THAT(scene_of.said(mesh_table("broken.gltf")), HasSubstr("broken.gltf\": "));
+    EXPECT_THAT(scene_of.said(mesh_table("/t.obj")), HasSubstr("expected a path relative to this file"));
+    EXPECT_THAT(scene_of.said(mesh_table("t.obj", "colour = \"grey\"\n")),
+                HasSubstr("lacks the key \"unit\" or \"metres_per_unit\""));
+    EXPECT_THAT(scene_of.said(mesh_table("t.obj", "unit = \"furlong\"\ncolour = \"grey\"\n")),
+                HasSubstr("furlong"));
+    EXPECT_THAT(scene_of.said(mesh_table("t.obj", "unit = \"m\"\nmetres_per_unit = 2\ncolour = \"grey\"\n")),
+                HasSubstr("both \"unit\" and \"metres_per_unit\""));
+    EXPECT_THAT(scene_of.said(mesh_table("t.obj", "unit = \"m\"\n")), HasSubstr("the material \"paint\" of"));
+    EXPECT_THAT(scene_of.said(mesh_table("t.obj", "unit = \"m\"\ncolours = { pain = \"grey\" }\n")),
+                HasSubstr("\"pain\" names no material of the mesh; did you mean \"paint\"?"));
+    EXPECT_THAT(
+        scene_of.said(mesh_table("t.obj", "unit = \"m\"\ncolour = \"grey\"\nobjects = { x = \"y\" }\n")),
+        HasSubstr("\"x\" names no node of the mesh"));
+    EXPECT_THAT(scene_of.said(mesh_table("t.obj", "unit = \"mm\"\nmetres_per_unti = 2\ncolour = \"grey\"\n")),
+                HasSubstr("unknown key \"metres_per_unti\""));
+    EXPECT_THAT(scene_of.said(mesh_table("t.obj", "metres_per_unit = 0.00001\ncolour = \"grey\"\n")),
+                HasSubstr("no face of"));
+    EXPECT_THAT(scene_of.said(mesh_table("t.obj", "unit = \"m\"\ncolour = \"grey\"\nalternative = 1\n")),
+                HasSubstr("stands without \"slot\""));
+}
+
+TEST(Meshes, AMissingBufferIsNamed) {
+    const Scene scene_of;
+    scene_of.folder.write("g.gltf",
+                          R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"gone.bin"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})");
+    EXPECT_THAT(scene_of.said(mesh_table("g.gltf")), HasSubstr("gone.bin"));
+}
+
+/// Triangles as corner places, each beginning at its least corner, sorted: what may differ between a database, its
+/// glTF and what is compiled from that is order and the diagonals of polygons only.
+using Triangle = std::array<std::array<float, 3>, 3>;
+std::vector<std::pair<std::string, Triangle>> triangles_of(const VisualDatabase& d) {
+    std::vector<std::pair<std::string, Triangle>> all;
+    for (const Face& face : d.faces) {
+        const auto at = [&](std::uint32_t i) {
+            const Vec4f& p = d.vertices[d.corners[face.first_corner + i]].position;
+            return std::array<float, 3>{p.x, p.y, p.z};
+        };
+        for (std::uint32_t i = 1; i + 1U < face.corner_count; ++i) {
+            Triangle triangle{at(0), at(i), at(i + 1)};
+            std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+            all.emplace_back(d.colour_names[face.colour], triangle);
+        }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+TEST(Meshes, OutAndInAgainAreTheSameFaces) {
+    const std::string boxes =
+        "[[colour]]\nname = \"red\"\nrgb = [200, 0, 0]\n"
+        "[[object]]\nname = \"a\"\nlist = \"list\"\ncolour = \"grey\"\n"
+        "[[object.box]]\nfrom_m = [-5, -2, 0]\nto_m = [5, 2, 1.25]\ncolours = { top = \"red\" }\n"
+        "[[object]]\nname = \"b\"\nlist = \"list\"\ncolour = \"red\"\nshading = \"vertex\"\n"
+        "[[object.prism]]\nbase_m = [[8, 0], [11, 0], [12.5, 2], [8, 3]]\nbottom_m = 0\ntop_m = 2\n";
+    const Scene scene_of;
+    const CompileResult first = scene_of.compile(boxes);
+    ASSERT_TRUE(first.database) << messages(first);
+    for (const char* name : {"out.gltf", "out.glb"}) {
+        write_mesh(mesh_of(*first.database).mesh, scene_of.folder.path() + "/" + name);
+        const CompileResult second = scene_of.compile("[[colour]]\nname = \"red\"\nrgb = [200, 0, 0]\n" +
+                                                      mesh_table(name, "unit = \"m\"\n"));
+        ASSERT_TRUE(second.database) << messages(second);
+        EXPECT_EQ(triangles_of(*first.database), triangles_of(*second.database)) << name;
+        EXPECT_EQ(second.statistics.meshes.at(0).without_area, 0U);
+        std::vector<std::string> objects;
+        for (const Object& object : second.database->objects)
+            objects.push_back(object.name);
+        EXPECT_THAT(objects, testing::UnorderedElementsAre("thing.a", "thing.b"));
+    }
+}
+
+TEST(Meshes, TheSameFileGivesTheSameBytes) {
+    const Scene scene_of;
+    const CompileResult first =
+        scene_of.compile("[[object]]\nname = \"a\"\nlist = \"list\"\ncolour = \"grey\"\n"
+                         "[[object.disc]]\ncentre_m = [0, 0, 0]\nradius_m = 5\n");
+    ASSERT_TRUE(first.database);
+    const auto bytes = [&](const std::string& name) {
+        write_mesh(mesh_of(*first.database).mesh, scene_of.folder.path() + "/" + name);
+        std::ifstream in(scene_of.folder.path() + "/" + name, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    EXPECT_EQ(bytes("a.glb"), bytes("b.glb"));
+    const nlohmann::json gltf = nlohmann::json::parse(bytes("c.gltf"));
+    EXPECT_EQ(gltf["asset"]["version"], "2.0");
+    EXPECT_EQ(gltf["materials"][0]["name"], "grey");
+}
+
+#define TESTMODELS "/usr/share/assimp/models/"
+
+/// Models that nobody here made, from Debian's package of Assimp's own tests.
+TEST(Meshes, RealModelsCompile) {
+    if (!std::filesystem::exists(TESTMODELS)) GTEST_SKIP() << "package assimp-testmodels is not installed";
+    for (const char* model :
+         {"glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", "OBJ/spider.obj", "OBJ/WusonOBJ.obj"}) {
+        const Scene scene_of;
+        std::filesystem::copy(
+            std::filesystem::path(TESTMODELS) / model / "..", scene_of.folder.path() + "/model",
+            std::filesystem::copy_options::recursive | std::filesystem::copy_options::skip_symlinks);
+        const std::string file = "model/" + std::filesystem::path(model).filename().string();
+        const CompileResult result = scene_of.compile(mesh_table(file));
+        ASSERT_TRUE(result.database) << messages(result);
+        EXPECT_GT(result.statistics.meshes.at(0).faces, 1000U);
+        write_mesh(mesh_of(*result.database).mesh, scene_of.folder.path() + "/again.glb");
+        const CompileResult again = scene_of.compile(mesh_table("again.glb"));
+        ASSERT_TRUE(again.database) << messages(again);
+        EXPECT_NEAR(area_of(*again.database), area_of(*result.database), 1e-4 * area_of(*result.database))
+            << model;
+    }
+}
+
+} // namespace
+} // namespace linkdig::database

@@ -1,0 +1,118 @@
+#include "tools/preview/preview.h"
+
+#include "database/model/mathematics.h"
+#include "host/motion/view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace linkdig::tools {
+namespace {
+
+/// Half of the vertical field of view: narrow, so that shapes are hardly distorted.
+constexpr double half_field_deg = 14.0;
+/// How a subject that has no size of its own is seen: the sea, from a low helicopter.
+constexpr double tile_height_m = 30.0;
+constexpr float finest = 16.0F; ///< of FramePacket::lod_bias
+
+/// Box of what is drawn of a cluster or a moving object.
+struct Bounds {
+    Vec3d low{0};
+    Vec3d high{0};
+    bool any = false;
+    void add(const Vec3d& point) {
+        low = any ? glm::min(low, point) : point;
+        high = any ? glm::max(high, point) : point;
+        any = true;
+    }
+};
+
+void add_list(const VisualDatabase& database, std::uint32_t list, Bounds& bounds, std::uint32_t& faces) {
+    for (const Face& face : database.faces) {
+        if (database.objects[face.object].list != list) continue;
+        ++faces;
+        for (std::uint32_t i = 0; i < face.corner_count; ++i) {
+            const Vec4f& p = database.vertices[database.corners[face.first_corner + i]].position;
+            if (p.w != 0) bounds.add(database.lists[list].origin_m + Vec3d(Vec3f(p)));
+        }
+    }
+}
+
+PreviewSubject subject_of(const VisualDatabase& database, const std::string& name, std::int32_t moving_object,
+                          const std::vector<std::uint32_t>& clusters) {
+    PreviewSubject subject{.name = name, .moving_object = moving_object};
+    Bounds bounds;
+    for (std::uint32_t list = 0; list < database.lists.size(); ++list) {
+        if (std::find(clusters.begin(), clusters.end(), database.lists[list].cluster) == clusters.end() ||
+            database.lists[list].attachment == Attachment::eye)
+            continue;
+        add_list(database, list, bounds, subject.faces);
+        if (database.lists[list].tile != none) ++subject.faces; // at least one, wherever the eye is
+    }
+    subject.centre_m = 0.5 * (bounds.low + bounds.high);
+    subject.radius_m = 0.5 * glm::length(bounds.high - bounds.low);
+    return subject;
+}
+
+Vec3f default_sun() {
+    const double azimuth = radians(35.0), elevation = radians(42.0);
+    return Vec3f(
+        Vec3d(cosine(elevation) * cosine(azimuth), cosine(elevation) * sine(azimuth), sine(elevation)));
+}
+
+} // namespace
+
+std::vector<PreviewSubject> preview_subjects(const VisualDatabase& database) {
+    std::vector<PreviewSubject> subjects;
+    for (std::uint32_t object = 0; object < database.moving_objects.size(); ++object) {
+        std::vector<std::uint32_t> clusters;
+        for (std::uint32_t c = 0; c < database.clusters.size(); ++c)
+            if (database.clusters[c].moving_object == static_cast<std::int32_t>(object))
+                clusters.push_back(c);
+        subjects.push_back(subject_of(database, database.moving_objects[object],
+                                      static_cast<std::int32_t>(object), clusters));
+    }
+    for (std::uint32_t c = 0; c < database.clusters.size(); ++c)
+        if (database.clusters[c].moving_object == none)
+            subjects.push_back(subject_of(database, database.clusters[c].name, none, {c}));
+    std::erase_if(subjects, [](const PreviewSubject& subject) { return subject.faces == 0; });
+    return subjects;
+}
+
+PreviewView preview_view(std::uint32_t index) {
+    constexpr std::array<PreviewView, preview_views> views{
+        {{"bow", 40.0, 14.0}, {"port", 90.0, 6.0}, {"stern", 205.0, 24.0}, {"above", 0.1, 78.0}}};
+    return views[index % preview_views];
+}
+
+FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject& subject,
+                           const PreviewView& view, double aspect) {
+    FramePacket packet;
+    packet.suns.assign(database.suns.size(), default_sun());
+    packet.moving_objects.resize(database.moving_objects.size());
+    for (std::size_t i = 0; i < packet.moving_objects.size(); ++i)
+        packet.moving_objects[i].visible = subject.moving_object == static_cast<std::int32_t>(i);
+    packet.lod_bias = finest;
+    const double azimuth = radians(view.azimuth_deg);
+    const double elevation = radians(view.elevation_deg);
+    const Vec3d outward(cosine(elevation) * cosine(azimuth), cosine(elevation) * sine(azimuth),
+                        sine(elevation));
+    const double half = radians(half_field_deg);
+    const double radius = std::max(0.5, subject.radius_m);
+    const double nearest = radius / sine(half) * std::max(1.0, 1.0 / aspect);
+    ChannelView channel;
+    channel.eye_m = subject.centre_m + nearest * outward;
+    if (subject.radius_m == 0) channel.eye_m = Vec3d(0.0, 0.0, tile_height_m) + 10.0 * outward;
+    const Vec3d aim =
+        subject.radius_m == 0 ? channel.eye_m - Vec3d(outward.x, outward.y, 0.12) : subject.centre_m;
+    channel.attitude = host::looking_along(aim - channel.eye_m);
+    channel.top_tangent = tangent(half);
+    channel.bottom_tangent = -channel.top_tangent;
+    channel.right_tangent = channel.top_tangent * aspect;
+    channel.left_tangent = -channel.right_tangent;
+    packet.channels.push_back(channel);
+    return packet;
+}
+
+} // namespace linkdig::tools
