@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A hilly terrain of many triangles, for measuring the compiler and the reader.
 
-    terrain.py FACES FOLDER [--obj]    writes FOLDER/terrain.toml (with --obj also FOLDER/terrain.obj) and FOLDER/flight.toml
+    terrain.py FACES FOLDER [--obj]    writes FOLDER/terrain.toml, with --obj also FOLDER/terrain.obj
 
 The terrain is a square of FACES triangles, two to a cell of 20 m: three waves and a hash of the cell for roughness, so that
 it has ridges, hollows and slopes that hide one another. No randomness: the same bytes every time.
@@ -30,24 +30,6 @@ priority = 20
 name = "terrain"
 cluster = "terrain"
 sun = "world"
-"""
-
-FLIGHT = """[scenario]
-name = "terrain"
-database = "terrain.igdb"
-duration_s = 1.0
-
-[suns.world]
-azimuth_deg = 250.0
-elevation_deg = 25.0
-
-[view]
-position_m = [0, {south:.0f}, 700]
-aim_m = [0, 0, 100]
-
-[[channel]]
-name = "ahead"
-horizontal_field_deg = 56.0
 """
 
 
@@ -98,7 +80,6 @@ def main():
     with open(folder / "terrain.toml", "w", encoding="ascii") as out:
         out.write(DATABASE)
         write_loft(out, side)
-    (folder / "flight.toml").write_text(FLIGHT.format(south=-side * CELL_M / 2))
     if "--obj" in sys.argv[3:]:
         with open(folder / "terrain.obj", "w", encoding="ascii") as out:
             write_obj(out, side)
