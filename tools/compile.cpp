@@ -28,11 +28,18 @@ struct Arguments {
 };
 
 nlohmann::json as_json(const database::ListStatistics& list) {
-    return {{"name", list.name},     {"objects", list.objects},
-            {"faces", list.faces},   {"faces_at_once", list.faces_at_once},
-            {"edges", list.edges},   {"vertices", list.vertices},
-            {"planes", list.planes}, {"splits", list.splits},
-            {"lights", list.lights}, {"runs", list.runs}};
+    return {{"name", list.name},
+            {"objects", list.objects},
+            {"faces", list.faces},
+            {"faces_at_once", list.faces_at_once},
+            {"edges", list.edges},
+            {"edges_at_once", list.edges_at_once},
+            {"edge_budget", list.edge_budget},
+            {"vertices", list.vertices},
+            {"planes", list.planes},
+            {"splits", list.splits},
+            {"lights", list.lights},
+            {"runs", list.runs}};
 }
 
 nlohmann::json as_json(const database::MeshStatistics& mesh) {
@@ -67,6 +74,18 @@ std::string mesh_text(const database::CompileResult& result) {
     return text;
 }
 
+std::string budget_text(const database::CompileResult& result) {
+    std::string text;
+    for (const database::ListStatistics& list : result.statistics.lists)
+        if (list.edge_budget != 0)
+            text += fmt::format("\nlist {}: {} of {} edges at most at once", list.name, list.edges_at_once,
+                                list.edge_budget);
+    if (result.statistics.edge_budget != 0)
+        text += fmt::format("\ndatabase: {} of {} edges at most at once",
+                            result.statistics.total().edges_at_once, result.statistics.edge_budget);
+    return text;
+}
+
 std::string line_text(const database::CompileResult& result) {
     const database::ListStatistics total = result.statistics.total();
     return fmt::format("{}: {} faces ({} at most at once), {} edges, {} vertices, {} light points, {} "
@@ -75,7 +94,7 @@ std::string line_text(const database::CompileResult& result) {
                        result.database->name, total.faces, total.faces_at_once, total.edges, total.vertices,
                        total.lights, total.planes + result.statistics.priority_planes, total.splits,
                        result.database->lists.size(), result.database->clusters.size()) +
-           mesh_text(result);
+           mesh_text(result) + budget_text(result);
 }
 
 int compile_once(const Arguments& arguments, const database::CompileResult& result) {

@@ -17,6 +17,7 @@ namespace {
 struct InspectOptions {
     std::string path;
     bool json = false;
+    bool objects = false;
 };
 
 int inspect(const InspectOptions& options) {
@@ -25,8 +26,8 @@ int inspect(const InspectOptions& options) {
         fmt::print(stderr, "error: {}\n", read.error);
         return ExitCode::bad_input;
     }
-    const auto dump = options.json ? database::dump_json : database::dump_text;
-    fmt::print("{}", dump(*read.database, read.id));
+    fmt::print("{}", options.json ? database::dump_json(*read.database, read.id)
+                                  : database::dump_text(*read.database, read.id, options.objects));
     return ExitCode::done;
 }
 
@@ -37,6 +38,7 @@ void add_inspect(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("inspect", "Show what is in a compiled visual database");
     command->add_option("database", options->path, "Compiled visual database (.igdb)")->required();
     command->add_flag("--json", options->json, "Write JSON: lists, objects, face counts, budgets, extents");
+    command->add_flag("--objects", options->objects, "List the objects of each list too");
     command->footer("Example:\n  linkdig inspect first_flight.igdb --json");
     command->callback([options, &exit_code] { exit_code = inspect(*options); });
 }

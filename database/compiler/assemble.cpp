@@ -81,7 +81,6 @@ public:
         statistics_.planes = static_cast<std::uint32_t>(ordered.order.nodes.size());
         statistics_.splits = ordered.order.splits;
         statistics_.vertices = static_cast<std::uint32_t>(database_.vertices.size() - first_vertex_);
-        statistics_.edges = count_edges();
         statistics_.faces_at_once = static_cast<std::uint32_t>(present_.most(database_));
         return statistics_;
     }
@@ -138,9 +137,6 @@ private:
         ++statistics_.faces;
         for (const OrderCorner& corner : ordered.corners)
             put_corner(corner);
-        for (std::size_t i = 0; i < ordered.corners.size(); ++i)
-            edges_.emplace_back(std::minmax(ordered.corners[i].point,
-                                            ordered.corners[(i + 1) % ordered.corners.size()].point));
     }
 
     void put_corner(const OrderCorner& corner) {
@@ -171,11 +167,6 @@ private:
         return index;
     }
 
-    std::uint32_t count_edges() {
-        std::sort(edges_.begin(), edges_.end());
-        return static_cast<std::uint32_t>(std::unique(edges_.begin(), edges_.end()) - edges_.begin());
-    }
-
     const Assembly& parts_;
     VisualDatabase& database_;
     ListStatistics statistics_;
@@ -183,8 +174,7 @@ private:
     static constexpr std::uint32_t no_vertex = 0xffffffffU;
     std::vector<std::uint32_t> at_point_; ///< by point: the vertex made there last
     std::vector<std::uint32_t> before_;   ///< by vertex of the list: the one made at its point before
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_; ///< with repetitions
-    MostAtOnce present_;                                         ///< of its faces
+    MostAtOnce present_;                  ///< of its faces
 };
 
 void add_names(const Assembly& parts, VisualDatabase& database) {

@@ -70,6 +70,23 @@ bool check_vertices(const ModelObject& object, const Reading& reading) {
     return good;
 }
 
+/// Normals that the author gave say where the front is: if all of a face's are on its back, its corners run the wrong way.
+bool check_normals(const ModelObject& object, const ModelFace& face, const Reading& reading) {
+    std::size_t given = 0, against = 0;
+    for (const std::uint32_t corner : face.corners) {
+        const std::optional<Vec3d>& normal = object.vertices[corner].normal;
+        given += normal ? 1 : 0;
+        against += normal && glm::dot(*normal, face.plane.normal) < 0 ? 1 : 0;
+    }
+    if (given == 0 || against < given || face.style.two_sided || face.at_infinity) return true;
+    reading.error(
+        face.at,
+        fmt::format("a face of object \"{}\" is reversed: the normals of its corners point behind it; "
+                    "expected corners counter-clockwise seen from the front",
+                    object.name));
+    return false;
+}
+
 bool check_face(const ModelObject& object, ModelFace& face, const Reading& reading) {
     if (const auto corner = coincident_corner(object, face)) {
         reading.error(face.at,
@@ -87,7 +104,7 @@ bool check_face(const ModelObject& object, ModelFace& face, const Reading& readi
     face.plane = report.plane;
     face.deviation_m = report.deviation_m;
     face.at_infinity = report.at_infinity;
-    if (report.fault == PolygonFault::none) return true;
+    if (report.fault == PolygonFault::none) return object.of_mesh || check_normals(object, face, reading);
     reading.error(face.at, fault_text(object, face, report));
     return false;
 }

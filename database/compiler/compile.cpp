@@ -2,6 +2,7 @@
 
 #include "database/compiler/assemble.h"
 #include "database/compiler/check_objects.h"
+#include "database/compiler/edge_budgets.h"
 
 #include <utility>
 
@@ -14,6 +15,7 @@ ListStatistics CompileStatistics::total() const {
         sum.faces += list.faces;
         sum.faces_at_once += list.faces_at_once;
         sum.edges += list.edges;
+        sum.edges_at_once += list.edges_at_once;
         sum.vertices += list.vertices;
         sum.planes += list.planes;
         sum.splits += list.splits;
@@ -44,6 +46,8 @@ CompileResult compile_file(const std::string& path) {
     const Tiles tiles = read_tiles(tables, objects, reading);
     if (result.diagnostics.any()) return result;
     result.database = assemble({sources, registry, objects, lists, planes, tiles}, result.statistics);
+    check_edge_budgets(*result.database, reading, result.statistics);
+    if (result.diagnostics.any()) result.database.reset();
     return result;
 }
 

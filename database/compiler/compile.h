@@ -18,6 +18,8 @@ struct ListStatistics {
     std::uint32_t faces = 0;
     std::uint32_t faces_at_once = 0; ///< most that are present together: one alternative of each slot
     std::uint32_t edges = 0;         ///< between two places, whoever uses them
+    std::uint32_t edges_at_once = 0; ///< not less than can be present together (database/model/edge_count.h)
+    std::uint32_t edge_budget = 0;   ///< set by the author; 0: none
     std::uint32_t vertices = 0;
     std::uint32_t planes = 0; ///< nodes of the list's tree
     std::uint32_t splits = 0; ///< times that a plane cut a face in two
@@ -40,6 +42,7 @@ struct CompileStatistics {
     std::vector<ListStatistics> lists; ///< parallel to VisualDatabase::lists
     std::vector<MeshStatistics> meshes;
     std::uint32_t priority_planes = 0; ///< nodes of the clusters' and groups' trees
+    std::uint32_t edge_budget = 0;     ///< of the whole database; 0: none
     /// Sums over the lists; the name stays empty.
     ListStatistics total() const;
 };

@@ -116,11 +116,22 @@ private:
         names.add(reader.text("name"), place_of(*table.table, table.file), *sources_, *diagnostics_);
     }
 
+    /// 0 where there is none.
+    static std::uint32_t read_edge_budget(TableReader& reader) {
+        if (!reader.has("edge_budget")) {
+            reader.node("edge_budget");
+            return 0;
+        }
+        return static_cast<std::uint32_t>(reader.integer("edge_budget", 1, 1000000000));
+    }
+
     void read_database(const AuthoredTables& tables) {
         if (!tables.database) return;
         TableReader reader(*tables.database->table, sources_->files[tables.database->file].path, "[database]",
                            *diagnostics_);
         registry.name = reader.text("name");
+        registry.edge_budget = read_edge_budget(reader);
+        registry.edge_budget_at = place_of(*tables.database->table, tables.database->file);
         reader.finish();
     }
 
@@ -192,6 +203,7 @@ private:
         entry.list.diffuse = static_cast<float>(each.number("diffuse", 0.7, {0, 1}));
         entry.list.origin_m = each.point_m("origin", Vec3d(0.0));
         check_reach(each, "origin_m", entry.list.origin_m);
+        entry.edge_budget = read_edge_budget(each);
         read_attachment(each, entry);
         entry.added_to = each.text("added_to", "");
         entry.added_to_at = each.at("added_to");

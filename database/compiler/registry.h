@@ -41,10 +41,11 @@ struct AuthoredCluster {
 };
 
 struct AuthoredList {
-    ObjectList list;         ///< without its tree
-    bool in_cluster = false; ///< its cluster is known
-    bool resolved = false;   ///< its cluster and sun are known
-    std::string added_to;    ///< name of the list that it is added to, or empty
+    ObjectList list;               ///< without its tree
+    bool in_cluster = false;       ///< its cluster is known
+    bool resolved = false;         ///< its cluster and sun are known
+    std::uint32_t edge_budget = 0; ///< 0: none
+    std::string added_to;          ///< name of the list that it is added to, or empty
     SourceLocation added_to_at;
     Place at;
 };
@@ -58,6 +59,8 @@ struct AuthoredDetail {
 
 struct Registry {
     std::string name;
+    std::uint32_t edge_budget = 0; ///< of the whole database; 0: none
+    Place edge_budget_at;
     NameTable colour_names{"colour"}, suns{"sun"}, moving_objects{"moving object"}, slots{"slot"},
         cluster_names{"cluster"}, list_names{"object list"}, details{"detail"};
     std::vector<Colour> colours;

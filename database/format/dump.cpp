@@ -63,7 +63,8 @@ Json totals_json(const VisualDatabase& d) {
 
 Json object_json(const VisualDatabase& d, const ObjectSummary& counts, std::uint32_t index) {
     const Object& object = d.objects[index];
-    Json json = {{"name", object.name}, {"faces", counts.faces}, {"corners", counts.corners}};
+    Json json = {
+        {"name", object.name}, {"faces", counts.faces}, {"corners", counts.corners}, {"edges", counts.edges}};
     if (counts.lights != 0) json["lights"] = counts.lights;
     if (object.slot != none) {
         json["slot"] = d.slots[static_cast<std::size_t>(object.slot)].name;
@@ -110,6 +111,8 @@ Json list_json(const VisualDatabase& d, const DatabaseSummary& summary, std::siz
                  {"corners", counts.corners},
                  {"lights", counts.lights},
                  {"faces_at_most", counts.faces_at_most},
+                 {"edges", counts.edges},
+                 {"edges_at_most", counts.edges_at_most},
                  {"runs", counts.runs},
                  {"leaves", counts.leaves},
                  {"planes", counts.planes},
@@ -163,6 +166,20 @@ std::string detail_text(const VisualDatabase& d, const DatabaseSummary& summary,
     return text + (detail.added != 0 ? "; levels add up\n" : "\n");
 }
 
+std::string object_text(const VisualDatabase& d, const ObjectSummary& counts, std::uint32_t index) {
+    const Object& object = d.objects[index];
+    std::string text = fmt::format("  {:<49} {:>7} {:>8} {:>7}", object.name, counts.faces, "", counts.edges);
+    if (object.slot != none)
+        text +=
+            fmt::format("  {} {}", d.slots[static_cast<std::size_t>(object.slot)].name, object.alternative);
+    if (object.level != none) {
+        const Detail& detail = d.details[d.detail_levels[static_cast<std::size_t>(object.level)].detail];
+        text += fmt::format("  {}, level {}", detail.name,
+                            static_cast<std::uint32_t>(object.level) - detail.first_level);
+    }
+    return text + "\n";
+}
+
 } // namespace
 
 std::string dump_json(const VisualDatabase& database, std::uint64_t id) {
@@ -188,7 +205,7 @@ std::string dump_json(const VisualDatabase& database, std::uint64_t id) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string dump_text(const VisualDatabase& database, std::uint64_t id) {
+std::string dump_text(const VisualDatabase& database, std::uint64_t id, bool objects) {
     const DatabaseSummary summary = summarise(database);
     std::string text =
         fmt::format("{} (id {:016x}): {} faces, {} vertices, {} light points, {} planes, {} colours\n",
@@ -199,15 +216,18 @@ std::string dump_text(const VisualDatabase& database, std::uint64_t id) {
         fmt::format_to(out, "slot {}: {} alternatives\n", slot.name, slot.alternatives);
     for (const Detail& detail : database.details)
         text += detail_text(database, summary, detail);
-    fmt::format_to(out, "{:<24} {:<16} {:<10} {:>7} {:>8} {:>7} {:>7} {:>6}  {}\n", "list", "cluster",
-                   "frame", "faces", "at most", "lights", "planes", "depth", "extent");
+    fmt::format_to(out, "{:<24} {:<16} {:<10} {:>7} {:>8} {:>7} {:>8} {:>7} {:>7} {:>6}  {}\n", "list",
+                   "cluster", "frame", "faces", "at most", "edges", "at most", "lights", "planes", "depth",
+                   "extent");
     for (std::size_t i = 0; i < database.lists.size(); ++i) {
         const ObjectList& list = database.lists[i];
         const ListSummary& counts = summary.lists[i];
-        fmt::format_to(out, "{:<24} {:<16} {:<10} {:>7} {:>8} {:>7} {:>7} {:>6}  {}\n", list.name,
+        fmt::format_to(out, "{:<24} {:<16} {:<10} {:>7} {:>8} {:>7} {:>8} {:>7} {:>7} {:>6}  {}\n", list.name,
                        database.clusters[list.cluster].name, name_of(list.attachment), counts.faces,
-                       counts.faces_at_most, counts.lights, counts.planes, counts.tree_depth,
-                       list.tile == none ? extent_text(counts) : "tile, to the horizon");
+                       counts.faces_at_most, counts.edges, counts.edges_at_most, counts.lights, counts.planes,
+                       counts.tree_depth, list.tile == none ? extent_text(counts) : "tile, to the horizon");
+        for (const std::uint32_t object : counts.objects)
+            if (objects) text += object_text(database, summary.objects[object], object);
     }
     return text;
 }

@@ -13,7 +13,7 @@ namespace linkdig::database {
 /// new line. The database is sound (validate.h).
 std::string dump_json(const VisualDatabase& database, std::uint64_t id);
 
-/// The same as lines of text, without the objects.
-std::string dump_text(const VisualDatabase& database, std::uint64_t id);
+/// The same as lines of text, a line per list, and with `objects` a line per object below it.
+std::string dump_text(const VisualDatabase& database, std::uint64_t id, bool objects = false);
 
 } // namespace linkdig::database

@@ -1,5 +1,6 @@
 #include "database/format/summary.h"
 
+#include "database/model/edge_count.h"
 #include "database/model/most_at_once.h"
 
 #include <algorithm>
@@ -117,6 +118,13 @@ DatabaseSummary summarise(const VisualDatabase& database) {
     count_lights(database, summary);
     for (std::size_t i = 0; i < database.lists.size(); ++i)
         walk_tree(database, database.lists[i].root, summary.lists[i]);
+    const EdgeCounts edges = count_edges(database);
+    for (std::size_t i = 0; i < database.objects.size(); ++i)
+        summary.objects[i].edges = edges.objects[i];
+    for (std::size_t i = 0; i < database.lists.size(); ++i) {
+        summary.lists[i].edges = edges.lists[i];
+        summary.lists[i].edges_at_most = edges.lists_at_most[i];
+    }
     return summary;
 }
 

@@ -19,6 +19,7 @@ struct ObjectSummary {
     std::uint64_t faces = 0;
     std::uint64_t corners = 0;
     std::uint64_t lights = 0; ///< light points
+    std::uint64_t edges = 0;
 };
 
 struct ListSummary {
@@ -28,6 +29,8 @@ struct ListSummary {
     std::uint64_t lights = 0; ///< light points
     /// Most faces that can be present at once (database/model/most_at_once.h). A tile's faces not counted.
     std::uint64_t faces_at_most = 0;
+    std::uint64_t edges = 0;         ///< database/model/edge_count.h
+    std::uint64_t edges_at_most = 0; ///< at once; a tile's not counted
     std::uint64_t runs = 0;
     std::uint64_t leaves = 0;
     std::uint64_t planes = 0;

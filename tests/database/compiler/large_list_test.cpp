@@ -10,15 +10,16 @@ namespace linkdig::database {
 namespace {
 
 /// Hills over a square of side x side cells of 10 m, two faces to a cell: a loft with its front upward.
-std::string hills(int side) {
+std::string hills(std::uint32_t side) {
     std::string text =
         "[[object]]\nname = \"hills\"\nlist = \"list\"\ncolour = \"grey\"\n[[object.loft]]\nflip = true\n"
         "sections_m = [\n";
-    for (int i = 0; i <= side; ++i) {
+    for (std::uint32_t i = 0; i <= side; ++i) {
         text += "[";
-        for (int j = 0; j <= side; ++j) { // parabolas and a hash: ridges, hollows, no two cells alike
-            const std::uint32_t hash = static_cast<std::uint32_t>(i * 73856093 ^ j * 19349663) * 2654435761U;
-            const int u = i % 24 - 12, v = j % 30 - 15;
+        for (std::uint32_t j = 0; j <= side;
+             ++j) { // parabolas and a hash: ridges, hollows, no two cells alike
+            const std::uint32_t hash = (i * 73856093U ^ j * 19349663U) * 2654435761U;
+            const double u = static_cast<double>(i % 24) - 12, v = static_cast<double>(j % 30) - 15;
             text += fmt::format("[{}, {}, {:.2f}],", i * 10, j * 10,
                                 60.0 - 0.3 * u * u + 0.2 * v * v + 6.0 * (hash >> 16U) / 65536.0);
         }

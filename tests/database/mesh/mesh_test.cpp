@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <map>
 
 namespace linkdig::database {
@@ -55,7 +55,7 @@ double area_of(const VisualDatabase& d) {
     return sum;
 }
 
-/// Sum over faces of area x distance: six times ... of a closed solid its volume, whatever triangles it is made of.
+/// Of a closed solid its volume, whatever triangles it is made of.
 double volume_of(const VisualDatabase& d) {
     double sum = 0;
     for (const Face& face : d.faces) {
@@ -258,7 +258,7 @@ TEST(Meshes, RealModelsCompile) {
          {"glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", "OBJ/spider.obj", "OBJ/WusonOBJ.obj"}) {
         const Scene scene_of;
         std::filesystem::copy(
-            std::filesystem::path(TESTMODELS) / model / "..", scene_of.folder.path() + "/model",
+            (std::filesystem::path(TESTMODELS) / model).parent_path(), scene_of.folder.path() + "/model",
             std::filesystem::copy_options::recursive | std::filesystem::copy_options::skip_symlinks);
         const std::string file = "model/" + std::filesystem::path(model).filename().string();
         const CompileResult result = scene_of.compile(mesh_table(file));
