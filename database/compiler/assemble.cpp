@@ -126,7 +126,7 @@ private:
         face.corner_count = static_cast<std::uint16_t>(ordered.corners.size());
         face.colour = model.style.colour.value_or(0);
         face.object = object_numbers[source.object];
-        face.normal = Vec3f(model.light_normal.value_or(model.plane.normal));
+        face.normal = Vec3f(model.light_normal == Vec3d(0) ? model.plane.normal : model.light_normal);
         face.shading = model.style.shading;
         face.two_sided = model.style.two_sided ? 1 : 0;
         face.opacity = model.style.opacity;

@@ -35,7 +35,7 @@ struct ModelFace {
     std::vector<std::uint32_t> corners; ///< into ModelObject::vertices; the fan starts at the first
     FaceStyle style;
     Place at;
-    std::optional<Vec3d> light_normal; ///< unit: what lights it instead of its plane's (churned water)
+    Vec3d light_normal{0}; ///< unit: what lights it instead of its plane's (churned water); zero: its plane's
     // Set by check_faces:
     Plane plane;
     double deviation_m = 0;   ///< of the corners from the plane

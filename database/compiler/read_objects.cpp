@@ -134,7 +134,7 @@ void add_mirror_image(ModelObject& object) {
         for (std::uint32_t& corner : face.corners)
             corner = image[corner];
         std::reverse(face.corners.begin() + 1, face.corners.end()); // the fan starts at the same corner
-        if (face.light_normal) face.light_normal->y = -face.light_normal->y;
+        face.light_normal.y = -face.light_normal.y;
         object.faces.push_back(std::move(face));
     }
     const std::size_t lights = object.lights.size();
