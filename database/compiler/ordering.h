@@ -46,7 +46,7 @@ struct OrderFace {
     /// only from the front of `plane`.
     bool is_light = false;
     bool directed = false;
-    bool of_mesh = false;      ///< where such faces overlap in one plane and layer, the later one is in front
+    bool of_mesh = false; ///< where such faces overlap in one plane and layer, the later one is in front
     std::int32_t layer = 0;
     std::int32_t slot = none;
     std::uint32_t alternative = 0;

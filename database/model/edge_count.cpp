@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <tuple>
 
 namespace linkdig {
 
@@ -35,7 +36,10 @@ std::vector<std::uint32_t> number_places(const VisualDatabase& database) {
 struct OwnedEdge {
     std::uint32_t owner;
     std::uint32_t low, high;
-    auto operator<=>(const OwnedEdge&) const = default;
+    bool operator==(const OwnedEdge&) const = default;
+    bool operator<(const OwnedEdge& other) const {
+        return std::tie(owner, low, high) < std::tie(other.owner, other.low, other.high);
+    }
 };
 
 /// How many different edges each owner has.

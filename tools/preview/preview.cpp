@@ -31,6 +31,9 @@ struct Bounds {
 void add_list(const VisualDatabase& database, std::uint32_t list, Bounds& bounds, std::uint32_t& faces) {
     for (const Face& face : database.faces) {
         if (database.objects[face.object].list != list) continue;
+        // What is drawn: the first alternative of each slot, as in the packet below.
+        const Object& object = database.objects[face.object];
+        if (object.slot != none && object.alternative != 0) continue;
         ++faces;
         for (std::uint32_t i = 0; i < face.corner_count; ++i) {
             const Vec4f& p = database.vertices[database.corners[face.first_corner + i]].position;

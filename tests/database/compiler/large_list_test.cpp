@@ -73,7 +73,7 @@ void expect_order_of_rays(const VisualDatabase& d, Random& random, int eyes, con
         }
     }
     EXPECT_EQ(wrong, 0) << "of " << hits;
-    EXPECT_GT(hits, eyes * 5);
+    EXPECT_GT(hits, eyes * 2); // solids fill about a quarter of the view
 }
 
 TEST(LargeList, AHeightFieldIsDividedEvenlyAndNotCut) {

@@ -63,9 +63,11 @@ TEST(DumpJson, IsATreeOfListsAndObjects) {
     EXPECT_EQ(wake["attachment"], "waterline");
     EXPECT_EQ(wake["sun"], "ocean");
     EXPECT_EQ(wake["faces_at_most"], 1);
-    EXPECT_EQ(wake["objects"],
-              json::parse(R"([{"name": "wake.1", "faces": 1, "corners": 4, "slot": "wake", "alternative": 0},
-        {"name": "wake.2", "faces": 1, "corners": 4, "slot": "wake", "alternative": 1}])"));
+    EXPECT_EQ(
+        wake["objects"],
+        json::parse(
+            R"([{"name": "wake.1", "faces": 1, "corners": 4, "edges": 4, "slot": "wake", "alternative": 0},
+        {"name": "wake.2", "faces": 1, "corners": 4, "edges": 4, "slot": "wake", "alternative": 1}])"));
     EXPECT_EQ(dump["lists"][0]["extent"]["greatest_m"], json({1.0, 1.0, 1.5}));
     EXPECT_EQ(dump["lists"][2]["tile"]["cell_m"], 12.5);
     EXPECT_EQ(dump["lists"][2]["extent"], nullptr);
