@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
     linkdig::tools::add_export(app, exit_code);
     linkdig::tools::add_preview(app, exit_code);
     linkdig::tools::add_render(app, exit_code);
+    linkdig::tools::add_figures(app, exit_code);
     linkdig::tools::add_fly(app, exit_code);
     linkdig::tools::add_record(app, exit_code);
     linkdig::tools::add_replay(app, exit_code);

@@ -19,6 +19,7 @@ void add_export(CLI::App& app, int& exit_code);
 void add_preview(CLI::App& app, int& exit_code);
 void add_demo(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
+void add_figures(CLI::App& app, int& exit_code);
 void add_fly(CLI::App& app, int& exit_code);
 void add_record(CLI::App& app, int& exit_code);
 void add_replay(CLI::App& app, int& exit_code);
