@@ -101,9 +101,11 @@ public:
 
     void add(const std::vector<Vec3d>& points) {
         const auto first = static_cast<std::uint32_t>(object_.vertices.size());
-        for (const Vec3d& point : points)
-            object_.vertices.push_back({as_float(point), {}, {}, object_.at});
         const auto sides = static_cast<std::uint32_t>(points.size()) - 1;
+        // A foot lies in the flat ground, so its normal is the ground's: a smooth-shaded mound meets it without a step.
+        for (std::uint32_t i = 0; i < sides; ++i)
+            object_.vertices.push_back({as_float(points[i]), Vec3d(0.0, 0.0, 1.0), {}, object_.at});
+        object_.vertices.push_back({as_float(points[sides]), {}, {}, object_.at});
         for (std::uint32_t i = 0; i < sides; ++i) {
             const std::uint32_t next = (i + 1) % sides;
             FaceStyle style = looks_.style;

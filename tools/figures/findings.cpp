@@ -11,7 +11,7 @@
 
 namespace linkdig::tools {
 
-Findings::Findings(std::string folder) : folder_(std::move(folder)) {
+Findings::Findings(std::string folder, bool quick) : folder_(std::move(folder)), quick_(quick) {
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     if (error) throw std::runtime_error(fmt::format("{}: cannot be made: {}", folder_, error.message()));

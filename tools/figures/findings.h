@@ -26,7 +26,9 @@ struct Table {
 class Findings {
 public:
     /// The folder is made. Throws std::runtime_error, naming it, if it cannot be.
-    explicit Findings(std::string folder);
+    /// `quick`: every check, from fewer pictures.
+    explicit Findings(std::string folder, bool quick = false);
+    bool quick() const { return quick_; }
 
     void at_most(const std::string& figure, const std::string& what, double value, double bound);
     void at_least(const std::string& figure, const std::string& what, double value, double bound);
@@ -46,6 +48,7 @@ public:
 
 private:
     std::string folder_;
+    bool quick_ = false;
     std::vector<Check> checks_;
     std::vector<Table> tables_;
 };

@@ -7,6 +7,8 @@
 namespace linkdig::tools {
 namespace {
 
+constexpr double full_intensity = 4194304.0; // 2^22, as docs/frame-in-detail.md has it
+
 /// Calls visit(i, j) for neighbours beside and below, both in the mask, from a
 /// row on.
 template <typename Visit>
@@ -72,7 +74,7 @@ double rms_change(const ig::VideoFrame& before, const ig::VideoFrame& after,
     std::size_t count = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
         if (mask[i] == 0) continue;
-        const double difference = level(after.pixels[i]) - level(before.pixels[i]);
+        const double difference = (after.intensity[i] - before.intensity[i]) * 255.0 / full_intensity;
         sum += difference * difference;
         ++count;
     }
@@ -84,7 +86,7 @@ std::vector<double> row_means(const ig::VideoFrame& picture) {
     for (std::size_t y = 0; y < picture.height; ++y) {
         for (std::size_t x = 0; x < picture.width; ++x)
             means[y] += picture.intensity[y * picture.width + x];
-        means[y] /= picture.width * 4194304.0; // 2^22 is 1
+        means[y] /= picture.width * full_intensity;
     }
     return means;
 }

@@ -22,8 +22,9 @@ double rms_gradient(const ig::VideoFrame& picture, std::span<const std::uint8_t>
 /// Wants the rank plane.
 int greatest_step(const ig::VideoFrame& picture, std::span<const std::uint8_t> mask, std::uint32_t first_row);
 
-/// Root mean square of what changed from one picture to another, in levels,
-/// where the mask is.
+/// Root mean square of what changed in the intensity planes from one picture
+/// to another, in levels of 255, where the mask is. Not of the pixels: their
+/// rounding to whole levels is as much as a small step itself.
 double rms_change(const ig::VideoFrame& before, const ig::VideoFrame& after,
                   std::span<const std::uint8_t> mask);
 

@@ -106,18 +106,26 @@ private:
     std::vector<Hit> expected_;
 };
 
-constexpr std::array pitches_deg{-10.0, -5.0, 0.0, 5.0, 10.0};
-constexpr std::array rolls_deg{-6.8, 0.0, 6.8};
 constexpr std::array heights_m{2.0, 10.0, 50.0, 200.0};
 
+/// Bearings and attitudes over which the errors of a method are averaged.
+struct Range {
+    std::vector<double> bearings_deg, pitches_deg, rolls_deg;
+};
+
+Range range_of(bool quick) {
+    if (quick) return {{35.0, 150.0}, {-10.0, 10.0}, {0.0}};
+    return {{35.0, 90.0, 150.0}, {-10.0, -5.0, 0.0, 5.0, 10.0}, {-6.8, 0.0, 6.8}};
+}
+
 /// Mean over the attitudes, from abaft, abeam and before, at about 250 m.
-Errors mean_errors(Comparison& comparison, Occulting method, double height_m) {
+Errors mean_errors(Comparison& comparison, const Range& range, Occulting method, double height_m) {
     Errors sum;
     double pictures = 0.0;
-    for (const double bearing_deg : {35.0, 90.0, 150.0}) {
+    for (const double bearing_deg : range.bearings_deg) {
         const Vec3d eye = direction(radians(bearing_deg), 0.0) * 250.0 + Vec3d(0, 0, height_m);
-        for (const double pitch : pitches_deg) {
-            for (const double roll : rolls_deg) {
+        for (const double pitch : range.pitches_deg) {
+            for (const double roll : range.rolls_deg) {
                 FramePacket packet = comparison.posed(method, pitch, roll);
                 comparison.look_from(packet, eye, {0, 0, 8}, 50.0);
                 comparison.expect(packet);
@@ -135,6 +143,7 @@ void table_of_methods(Comparison& comparison, Findings& findings) {
                 "to 10, roll -6.8 to 6.8 degrees, three bearings at 250 m",
                 {"method", "2 m", "10 m", "50 m", "200 m"},
                 {}};
+    const Range range = range_of(findings.quick());
     Errors box[heights_m.size()];
     Errors fitted[heights_m.size()];
     for (std::size_t m = 0; m < host::occulting_names.size(); ++m) {
@@ -142,7 +151,7 @@ void table_of_methods(Comparison& comparison, Findings& findings) {
         if (!comparison.can(method)) continue;
         std::vector<std::string> row{host::occulting_names[m]};
         for (std::size_t h = 0; h < heights_m.size(); ++h) {
-            const Errors found = mean_errors(comparison, method, heights_m[h]);
+            const Errors found = mean_errors(comparison, range, method, heights_m[h]);
             row.push_back(fmt::format("{:.0f} / {:.0f}", found.shown, found.missing));
             if (method == Occulting::box) box[h] = found;
             if (method == Occulting::fitted_box) fitted[h] = found;
@@ -160,7 +169,8 @@ void table_of_methods(Comparison& comparison, Findings& findings) {
 void wedge_gaps(Comparison& comparison, Findings& findings) {
     double gaps = 0.0;
     double without = 0.0;
-    for (double pitch = -10.0; pitch <= 10.0; pitch += 1.0) {
+    const double step = findings.quick() ? 4.0 : 1.0;
+    for (double pitch = -10.0; pitch <= 10.0; pitch += step) {
         const double end = pitch >= 0.0 ? 1.0 : -1.0; // the one that rises
         const Vec3d eye(end * 140.0, 70.0, 2.0);
         const Vec3d aim(end * 70.0, 0.0, 3.0);

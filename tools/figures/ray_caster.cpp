@@ -53,10 +53,18 @@ Box box_of(const std::array<Vec3d, 3>& triangle, const ChannelView& channel, con
             std::max<std::int64_t>(box.top, 0), std::min(box.bottom, height - 1)};
 }
 
+/// Of an object with levels of detail only the finest counts: a coarser one stands out here and there.
+bool is_finest(const VisualDatabase& database, std::int32_t level) {
+    if (level <= 0) return true; // none, or the first of all
+    const auto index = static_cast<std::size_t>(level);
+    return database.detail_levels[index].detail != database.detail_levels[index - 1].detail;
+}
+
 bool counts(const VisualDatabase& database, const Face& face, const std::string& ship) {
     const Object& object = database.objects[face.object];
     const ObjectList& list = database.lists[object.list];
     if (database.clusters[list.cluster].name != ship || list.attachment != Attachment::body) return false;
+    if (!is_finest(database, object.level)) return false;
     if (object.slot == none) return true;
     return database.slots[static_cast<std::size_t>(object.slot)].name == ship + ".hull_below" &&
            object.alternative == 1;
