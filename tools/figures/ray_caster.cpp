@@ -60,22 +60,22 @@ bool is_finest(const VisualDatabase& database, std::int32_t level) {
     return database.detail_levels[index].detail != database.detail_levels[index - 1].detail;
 }
 
-bool counts(const VisualDatabase& database, const Face& face, const std::string& ship) {
+bool counts(const VisualDatabase& database, const Face& face, const std::string& ship, ShipPart part) {
     const Object& object = database.objects[face.object];
     const ObjectList& list = database.lists[object.list];
     if (database.clusters[list.cluster].name != ship || list.attachment != Attachment::body) return false;
     if (!is_finest(database, object.level)) return false;
-    if (object.slot == none) return true;
+    if (object.slot == none) return part == ShipPart::whole;
     return database.slots[static_cast<std::size_t>(object.slot)].name == ship + ".hull_below" &&
            object.alternative == 1;
 }
 
 } // namespace
 
-ShipTriangles ship_triangles(const VisualDatabase& database, const std::string& ship) {
+ShipTriangles ship_triangles(const VisualDatabase& database, const std::string& ship, ShipPart part) {
     ShipTriangles made;
     for (const Face& face : database.faces) {
-        if (!counts(database, face, ship)) continue;
+        if (!counts(database, face, ship, part)) continue;
         const Vec3d origin = database.lists[database.objects[face.object].list].origin_m;
         const auto corner = [&](std::uint32_t k) {
             return origin + Vec3d(Vec3f(database.vertices[database.corners[face.first_corner + k]].position));

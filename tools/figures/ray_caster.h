@@ -15,12 +15,15 @@ namespace linkdig::tools {
 
 enum class Hit : std::uint8_t { sky, sea, ship };
 
+enum class ShipPart : std::uint8_t { whole, below_waterline };
+
 /// Triangles of what is rigid in a ship's cluster, in her body frame:
-/// everything without a slot, and her hull below the water.
+/// everything without a slot, and her hull below the waterline; or the latter alone.
 struct ShipTriangles {
     std::vector<std::array<Vec3d, 3>> triangles;
 };
-ShipTriangles ship_triangles(const VisualDatabase& database, const std::string& ship);
+ShipTriangles ship_triangles(const VisualDatabase& database, const std::string& ship,
+                             ShipPart part = ShipPart::whole);
 
 /// The nearest hit of the ray through each pixel's centre of channel 0, row by
 /// row.

@@ -23,6 +23,12 @@ using host::SignalValues;
 
 constexpr const char* with_every_method = "report/methods.toml";
 constexpr std::uint32_t wake_faces = 28;
+/// The report's pictures of wakes show her on an even keel.
+FramePacket even_keel(Stage& stage, std::uint64_t frame, SignalValues signals = {}) {
+    signals.set(Signal::ship_motion, 0.0);
+    return stage.packet(frame, signals);
+}
+
 constexpr std::array<std::string_view, 1> port_wake{"lph2.bow_wake_port"};
 
 std::size_t ship_row(const Stage& stage) {
@@ -67,7 +73,7 @@ double covered(Stage& stage, double elevation_deg) {
     const Vec3d eye = middle + direction(pi / 2.0, radians(elevation_deg)) * 60.0;
     double pixels = 0.0;
     for (std::uint32_t face = 1; face <= wake_faces; ++face) {
-        FramePacket packet = stage.packet(0);
+        FramePacket packet = even_keel(stage, 0);
         show_face(stage, packet, face);
         look_beside(packet, ship_row(stage), eye, middle, 40.0);
         stage.draw(packet);
@@ -81,7 +87,7 @@ void sheet_of_faces(Stage& stage, Findings& findings) {
     ContactSheet sheet("Figures 12 and 13: faces of the bow wake", 640, 480);
     std::uint32_t place = 0;
     for (const std::uint32_t face : {1U, 4U, 7U, 10U, 12U, 15U, 17U, 19U, 22U, 24U, 26U, 28U}) {
-        FramePacket packet = stage.packet(0);
+        FramePacket packet = even_keel(stage, 0);
         show_face(stage, packet, face);
         look_beside(packet, ship_row(stage), {95, 62, 5}, {62, 6, 4}, 40.0);
         const ig::VideoFrame& picture = stage.draw(packet);
@@ -144,7 +150,7 @@ void bow_wakes(Findings& findings) {
     findings.at_least("13", "pixels of the port face from 5 degrees, all 28", low, 1000.0);
     findings.at_most("13", "covered from 80 degrees down over covered from 5", covered(stage, 80.0) / low,
                      0.15);
-    FramePacket packet = stage.packet(0);
+    FramePacket packet = even_keel(stage, 0);
     show_face(stage, packet, 12);
     look_beside(packet, ship_row(stage), {70, 10, 90}, {66, 0, 0}, 60.0);
     findings.picture("figure_13_from_above", stage.draw(packet));
@@ -155,7 +161,7 @@ void bow_wakes(Findings& findings) {
         signals.set(Signal::face_substitution, 1.0); // away with the scenario's own
         signals.set(Signal::churned, 1.0);
         signals.set(signal, 1.0);
-        FramePacket other = stage.packet(40, signals);
+        FramePacket other = even_keel(stage, 40, signals);
         look_beside(other, ship_row(stage), {140, 130, 45}, {0, 10, 0}, 56.0);
         findings.picture(fmt::format("wake_{}", name), stage.draw(other));
     }
@@ -166,16 +172,16 @@ void churned_water(Findings& findings) {
     const std::size_t ship = ship_row(stage);
     SignalValues flat;
     flat.set(Signal::smooth_shading, 0.0);
-    FramePacket stern = stage.packet(30, flat);
+    FramePacket stern = even_keel(stage, 30, flat);
     look_beside(stern, ship, {-260, 40, 40}, {-110, 0, 0}, 50.0);
     findings.picture("figure_14_stern_flat", stage.draw(stern));
-    FramePacket both = stage.packet(30);
+    FramePacket both = even_keel(stage, 30);
     look_beside(both, ship, {-230, 110, 60}, {-30, 0, 0}, 60.0);
     findings.picture("figure_14", stage.draw(both));
     std::size_t compared = 0;
     double worst = 0.0;
     for (const std::uint64_t frame : {30ULL, 75ULL, 140ULL}) {
-        FramePacket packet = stage.packet(frame);
+        FramePacket packet = even_keel(stage, frame);
         look_beside(packet, ship, {-230, 110, 60}, {-30, 0, 0}, 60.0);
         worst = std::max(worst, static_cast<double>(worst_sum(stage, packet, compared)));
     }
