@@ -3,6 +3,7 @@
 #include "tools/film/film.h"
 #include "tools/figures/figures.h"
 #include "tools/figures/stage.h"
+#include "tools/sheet/contact_sheet.h"
 #include "tools/sheet/text.h"
 
 #include <fmt/format.h>
@@ -29,6 +30,7 @@ struct Scene {
 
 constexpr Setting no_faces{Signal::face_substitution, 1.0}; // change-overs of what methods.toml shows
 constexpr Setting no_churn{Signal::churned, 1.0};
+constexpr Setting even_keel{Signal::ship_motion, 0.0};
 
 constexpr std::array scenes{
     Scene{"report/mounds_smooth.toml", "3.1.1  Static 3D waves, smooth-shaded: washed out"},
@@ -44,10 +46,14 @@ constexpr std::array scenes{
           "3.1.4  The same: sea state 3",
           {{{Signal::sea_state, 3.0}, {Signal::sea_sun_rate, 1.6}}}},
     Scene{"report/swell.toml", "3.1.4  A sine wave on all rows: swell"},
-    Scene{"report/methods.toml", "3.2.1  Wake: a white V", {{no_faces, no_churn, {Signal::white_v, 1.0}}}},
-    Scene{"report/methods.toml", "3.2.2  Bow wake: rolling cams", {{no_faces, no_churn, {Signal::cam, 1.0}}}},
-    Scene{"report/methods.toml", "3.2.2  Bow wake: 28 faces, one at a time", {{no_churn}}},
-    Scene{"report/methods.toml", "3.2.3  Bow and stern wake: churned water, added to the sea", {}},
+    Scene{"report/methods.toml",
+          "3.2.1  Wake: a white V",
+          {{no_faces, no_churn, {Signal::white_v, 1.0}, even_keel}}},
+    Scene{"report/methods.toml",
+          "3.2.2  Bow wake: rolling cams",
+          {{no_faces, no_churn, {Signal::cam, 1.0}, even_keel}}},
+    Scene{"report/methods.toml", "3.2.2  Bow wake: 28 faces, one at a time", {{no_churn, even_keel}}},
+    Scene{"report/methods.toml", "3.2.3  Bow and stern wake: churned water, added to the sea", {{even_keel}}},
     Scene{"report/methods.toml",
           "3.3.1  Hull below the waterline: she floats on her keel",
           {{{Signal::occulting, 3.0}}}},
@@ -67,6 +73,8 @@ void film(const Findings& findings, double seconds) {
     const GlyphSheet glyphs = glyph_sheet(16);
     Film film(findings.folder() + "/report.mp4", options.width, options.height, rate);
     const auto frames = static_cast<std::uint64_t>(std::lround(seconds * rate / scenes.size()));
+    ContactSheet sheet("The film: each scene after two seconds", options.width, options.height, 4);
+    std::uint32_t place = 0;
     for (const Scene& scene : scenes) {
         Stage stage(scene.scenario, options);
         SignalValues signals;
@@ -76,9 +84,11 @@ void film(const Findings& findings, double seconds) {
             ig::VideoFrame picture = stage.draw(stage.packet(frame, signals));
             write_over(picture, scene.title, glyphs);
             film.add(picture);
+            if (frame == frames / 2) sheet.place(place++, picture, scene.title);
         }
     }
     film.finish();
+    sheet.write(findings.folder() + "/film.png");
 }
 
 } // namespace linkdig::tools
