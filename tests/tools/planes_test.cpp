@@ -99,7 +99,7 @@ TEST_F(PlanesOfTheFlight, FlatIsTheFlightWithoutSmoothShading) {
         ListLighting row{.list = list, .sun = of.sun, .ambient = of.ambient, .diffuse = of.diffuse};
         for (const ListLighting& sent : packet.lighting)
             if (sent.list == list) row = sent;
-        row.method = ShadingMethod::no_smooth;
+        if (of.attachment != Attachment::eye) row.method = ShadingMethod::no_smooth;
         lighting.push_back(row);
     }
     ig::Configuration configuration;

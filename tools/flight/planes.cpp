@@ -118,6 +118,7 @@ std::vector<std::uint32_t> flat_colours(const VisualDatabase& database, const ig
     for (std::size_t at = 0; at < pixels.size(); ++at) {
         if (picture.rank[at] == none) continue; // the background keeps its colour
         const ig::Machine::Source source = machine.source(channel, picture.rank[at]);
+        if (database.lists[source.list].attachment == Attachment::eye) continue; // as does a sky
         pixels[at] = ig::shade(database.colours[source.colour], source.flat_intensity);
     }
     return pixels;

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> numbers(ig::Plane plane, const VisualDatabase& databa
 std::vector<std::uint32_t> edges_over(const ig::VideoFrame& picture);
 
 /// Every face in one colour: its colour code x the intensity of its own normal, whatever its shading; without air and
-/// without smoothed edges.
+/// without smoothed edges. What is centred on the eye, a sky, keeps its picture: its normals mean nothing.
 std::vector<std::uint32_t> flat_colours(const VisualDatabase& database, const ig::Machine& machine,
                                         std::size_t channel);
 
