@@ -2,6 +2,7 @@
 /// updated in every frame.
 
 #include "host/packet/packet_json.h"
+#include "ig/geometry/projected_face.h"
 #include "tools/figures/figures.h"
 #include "tools/figures/measures.h"
 #include "tools/figures/stage.h"
@@ -25,8 +26,6 @@ using host::Signal;
 using host::SignalValues;
 
 constexpr std::array<std::string_view, 2> sea_lists{"sea", "mounds"};
-
-ig::VideoFrame drawn(Stage& stage, const FramePacket& packet) { return stage.draw(packet); }
 
 SignalValues with(Signal signal, double value) {
     SignalValues signals;
@@ -59,10 +58,10 @@ Stepping stepping_of(Stage& stage, double every, std::uint64_t frames) {
     SignalValues signals = with(Signal::sea_method, 1.0);
     signals.set(Signal::normals_every, every);
     Stepping found;
-    ig::VideoFrame before = drawn(stage, stage.packet(0, signals));
+    ig::VideoFrame before = stage.draw(stage.packet(0, signals));
     const std::vector<std::uint8_t> mask = stage.mask(sea_lists);
     for (std::uint64_t frame = 1; frame <= frames; ++frame) {
-        const ig::VideoFrame now = drawn(stage, stage.packet(frame, signals));
+        const ig::VideoFrame& now = stage.draw(stage.packet(frame, signals));
         const double change = rms_change(before, now, mask);
         found.largest = std::max(found.largest, change);
         found.mean += change / static_cast<double>(frames);
@@ -90,7 +89,7 @@ double amplitude(Stage& stage, double elevation_rad, int steps) {
     std::int32_t widest = 0;
     for (std::size_t i = 0; i < least.size(); ++i)
         widest = std::max(widest, greatest[i] - least[i]);
-    return widest / 2.0 / 4194304.0;
+    return widest / 2.0 / ig::intensity_one;
 }
 
 /// What n . s >= 0 leaves of the swing between sin a sin e + cos a cos e and
@@ -101,9 +100,8 @@ double predicted(double vertical_rad, double elevation_rad) {
     return (std::max(0.0, mean + swing) - std::max(0.0, mean - swing)) / 2.0;
 }
 
-/// A sea of squares and a period of one's own, compiled from a text made here.
-std::string sized_sea(const std::string& folder, double cell_m, std::uint32_t period) {
-    const std::string stem = fmt::format("{}/sea_{:g}_{}", folder, cell_m, period);
+/// A sea of squares and a period of one's own: STEM.toml and its database, compiled from texts made here.
+void write_sized_sea(const std::string& stem, double cell_m, std::uint32_t period) {
     std::ofstream(stem + "_database.toml")
         << fmt::format("[database]\nname = \"sized\"\n[[sun]]\nname = "
                        "\"ocean\"\n[[colour]]\nname = \"sea\"\nrgb = [58, 117, 149]\n"
@@ -116,32 +114,32 @@ std::string sized_sea(const std::string& folder, double cell_m, std::uint32_t pe
                        period, cell_m);
     std::ofstream(stem + ".toml") << fmt::format(
         "[scenario]\nname = \"sized\"\ndatabase = "
-        "\"sea_{:g}_{}_database.toml\"\nduration_s = 5.0\n[suns.ocean]\n"
+        "\"{}_database.toml\"\nduration_s = 5.0\n[suns.ocean]\n"
         "azimuth_deg = 60.0\nelevation_deg = 24.0\nazimuth_rate_deg_s = "
         "72.0\n[own_ship]\nkind = \"fixed\"\n"
         "position_m = [0.0, 0.0, 30.0]\naim_m = [120.0, 0.0, "
         "0.0]\n[[channel]]\nname = \"ahead\"\n"
         "horizontal_field_deg = 56.0\n[sky]\nrgb = [187, 207, 221]\n",
-        cell_m, period);
-    return std::filesystem::absolute(stem + ".toml").string();
+        std::filesystem::path(stem).filename().string());
 }
 
 void sheet_of_sizes(Findings& findings) {
-    const std::string folder = findings.folder() + "/sizes";
-    std::filesystem::create_directories(folder);
+    const std::string stem = std::filesystem::absolute(findings.folder() + "/sized_sea").string();
     ContactSheet sheet("3.1.4: size of the squares (down: 2, 8, 32 m) and "
                        "repetition (across: 4, 8, 16, 64 squares)",
                        640, 480);
     std::uint32_t place = 0;
     for (const double cell_m : {2.0, 8.0, 32.0}) {
         for (const std::uint32_t period : {4U, 8U, 16U, 64U}) {
-            Stage stage(sized_sea(folder, cell_m, period));
+            write_sized_sea(stem, cell_m, period);
+            Stage stage(stem + ".toml");
             sheet.place(place++, stage.draw(stage.packet(0)),
                         fmt::format("{:g} m, {:g} m again", cell_m, cell_m * period));
         }
     }
     sheet.write(findings.folder() + "/sizes.png");
-    std::filesystem::remove_all(folder);
+    for (const char* ending : {".toml", "_database.toml"})
+        std::filesystem::remove(stem + ending);
 }
 
 } // namespace
