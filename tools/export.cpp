@@ -47,6 +47,7 @@ void add_export(CLI::App& app, int& exit_code) {
     command->add_option("-o,--output", options->output, "glTF file to write (.gltf or .glb)")->required();
     command->footer(
         "Clusters, object lists and objects become nodes, colour codes materials. Metres; glTF's y is up.\n"
+        "A .gltf has its numbers in a .bin file beside it; a .glb is one file.\n"
         "Example:\n  linkdig export first_flight.igdb -o first_flight.glb");
     command->callback([options, &exit_code] { exit_code = export_database(*options); });
 }

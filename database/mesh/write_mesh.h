@@ -7,8 +7,8 @@
 
 namespace linkdig::database {
 
-/// The file's bytes for `path`, which ends in .gltf (buffers inside, as text) or .glb: polygons are cut into fans of
-/// triangles from their first corner. Throws std::runtime_error, naming the path and the reason.
+/// Writes `path`, which ends in .glb, or in .gltf: its buffer then stands beside it, with the ending .bin. Polygons are cut
+/// into fans of triangles from their first corner. Throws std::runtime_error, naming the path and the reason.
 void write_mesh(const Mesh& mesh, const std::string& path);
 
 } // namespace linkdig::database
