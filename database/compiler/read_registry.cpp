@@ -118,11 +118,7 @@ private:
 
     /// 0 where there is none.
     static std::uint32_t read_edge_budget(TableReader& reader) {
-        if (!reader.has("edge_budget")) {
-            reader.node("edge_budget");
-            return 0;
-        }
-        return static_cast<std::uint32_t>(reader.integer("edge_budget", 1, 1000000000));
+        return static_cast<std::uint32_t>(reader.integer("edge_budget", 0, 1, 1000000000));
     }
 
     void read_database(const AuthoredTables& tables) {

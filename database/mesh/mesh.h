@@ -29,8 +29,8 @@ struct MeshNode {
     std::string name;
     std::int32_t parent = none; ///< into Mesh::nodes, an earlier one; of a mesh that was read always none
     std::vector<Vec3d> points;
-    std::vector<Vec3d>
-        normals; ///< parallel to points, or empty: the file gives none. Not always of unit length.
+    /// Parallel to points, or empty: the file gives none. Not always of unit length.
+    std::vector<Vec3d> normals;
     std::vector<MeshFace> faces;
     bool operator==(const MeshNode&) const = default;
 };

@@ -6,8 +6,8 @@
 namespace linkdig::database {
 
 struct DatabaseMesh {
-    Mesh
-        mesh; ///< metres; file x is our y (port, north), file y our z (up), file z our x (forward, east), as in glTF
+    /// Metres; file x is our y (port, north), file y our z (up), file z our x (forward, east), as in glTF.
+    Mesh mesh;
     std::uint64_t faces = 0;
     std::uint64_t at_infinity = 0; ///< faces left out: a corner of theirs has no place
     std::uint64_t tiles = 0;       ///< repeated tiles left out: they have no end

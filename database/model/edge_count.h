@@ -11,8 +11,8 @@ namespace linkdig {
 /// An edge lies between two places of a list, whichever faces share it and however many normals stand at its ends.
 struct EdgeCounts {
     std::vector<std::uint32_t> objects; ///< parallel to VisualDatabase::objects
-    std::vector<std::uint32_t>
-        lists; ///< parallel to VisualDatabase::lists; objects of a list may share edges
+    /// Parallel to VisualDatabase::lists; objects of a list may share edges.
+    std::vector<std::uint32_t> lists;
     /// Not less than the edges that can be present at once: sums over the objects of which slots and levels of detail
     /// allow the most together. A tile's edges are not counted.
     std::vector<std::uint32_t> lists_at_most;

@@ -66,7 +66,7 @@ TEST(Preview, ShowsTheShipTheSeaAndNotTheSky) {
 TEST(Preview, TheSubjectFillsTheMiddleAndLeavesTheBorder) {
     const database::CompileResult compiled = database::compile_file(shipped);
     ASSERT_TRUE(compiled.database);
-    VisualDatabase& database = const_cast<VisualDatabase&>(*compiled.database);
+    const VisualDatabase& database = *compiled.database;
     ig::Configuration configuration = ig::modern_profile();
     configuration.raster = {.width = 160, .height = 120};
     configuration.threads = 1;

@@ -1,5 +1,7 @@
 #include "tools/figures/measures.h"
 
+#include "ig/geometry/projected_face.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -7,7 +9,7 @@
 namespace linkdig::tools {
 namespace {
 
-constexpr double full_intensity = 4194304.0; // 2^22, as docs/frame-in-detail.md has it
+constexpr double full_intensity = ig::intensity_one;
 
 /// Calls visit(i, j) for neighbours beside and below, both in the mask, from a
 /// row on.

@@ -39,9 +39,8 @@ class Comparison {
 public:
     Comparison()
         : stage_("report/methods.toml", small), ship_(ship_triangles(stage_.database(), "lph2")),
-          below_(ship_triangles(stage_.database(), "lph2", ShipPart::below_waterline)) {
-        const auto& names = stage_.database().moving_objects;
-        row_ = static_cast<std::size_t>(std::ranges::find(names, "lph2") - names.begin());
+          below_(ship_triangles(stage_.database(), "lph2", ShipPart::below_waterline)),
+          row_(stage_.moving_object("lph2")) {
         wakes_away_.set(Signal::face_substitution,
                         1.0); // what the scenario shows is changed over
         wakes_away_.set(Signal::churned, 1.0);
@@ -109,13 +108,12 @@ public:
     }
 
     bool can(Occulting method) { return stage_.flight().loop().ship_methods().front().can(method); }
-    Stage& stage() { return stage_; }
 
 private:
     Stage stage_;
     ShipTriangles ship_;
     ShipTriangles below_;
-    std::size_t row_ = 0;
+    std::size_t row_;
     SignalValues wakes_away_;
     std::vector<Hit> expected_;
 };
@@ -210,12 +208,11 @@ void occulting(Findings& findings) {
     if (comparison.can(Occulting::wedges)) wedge_gaps(comparison, findings);
     Stage stage("report/methods.toml");
     for (std::size_t m = 0; m < host::occulting_names.size(); ++m) {
-        SignalValues signals;
-        signals.set(Signal::occulting, static_cast<double>(m) + 1.0);
         FramePacket packet = comparison.posed(static_cast<Occulting>(m), 8.0, 4.0);
         comparison.look_from(packet, {150, 80, 4}, {45, 0, 9}, 50.0);
-        findings.picture(fmt::format("occulting_{}", host::occulting_names[m]), stage.draw(packet));
-        if (static_cast<Occulting>(m) == Occulting::wedges) findings.picture("figure_15", stage.draw(packet));
+        const ig::VideoFrame& picture = stage.draw(packet);
+        findings.picture(fmt::format("occulting_{}", host::occulting_names[m]), picture);
+        if (static_cast<Occulting>(m) == Occulting::wedges) findings.picture("figure_15", picture);
     }
 }
 

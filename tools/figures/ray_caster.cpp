@@ -31,11 +31,11 @@ struct Box {
     std::int64_t left, right, top, bottom; ///< last ones included
 };
 
-Box box_of(const std::array<Vec3d, 3>& triangle, const ChannelView& channel, const Mat3d& body_from_world,
+Box box_of(const std::array<Vec3d, 3>& triangle, const ChannelView& channel, const Mat3d& eye_from_world,
            std::int64_t width, std::int64_t height) {
     Box box{width, -1, height, -1};
     for (const Vec3d& corner : triangle) {
-        const Vec3d seen = body_from_world * (corner - channel.eye_m);
+        const Vec3d seen = eye_from_world * (corner - channel.eye_m);
         if (seen.x < 0.01) return {0, width - 1, 0, height - 1};
         const double x =
             (-seen.y / seen.x - channel.left_tangent) / (channel.right_tangent - channel.left_tangent);
@@ -92,19 +92,20 @@ std::vector<Hit> cast(const ShipTriangles& ship, const MovingObject& pose, const
     std::vector<Vec3d> rays(pixels);
     std::vector<double> nearest(pixels, 1e30);
     std::vector<Hit> hits(pixels, Hit::sky);
+    const Mat3d world_from_eye = world_from_body(channel.attitude);
     for (std::size_t i = 0; i < pixels; ++i) {
-        rays[i] = ray_through(channel, (static_cast<double>(i % width) + 0.5) / width,
+        rays[i] = ray_through(channel, world_from_eye, (static_cast<double>(i % width) + 0.5) / width,
                               (static_cast<double>(i / width) + 0.5) / height);
         if (rays[i].z >= 0.0) continue;
         nearest[i] = -channel.eye_m.z / rays[i].z;
         hits[i] = Hit::sea;
     }
     const Mat3d world_from_ship = world_from_body(pose.attitude);
-    const Mat3d body_from_world = glm::transpose(world_from_body(channel.attitude));
+    const Mat3d eye_from_world = glm::transpose(world_from_eye);
     for (std::array<Vec3d, 3> triangle : ship.triangles) {
         for (Vec3d& corner : triangle)
             corner = pose.position_m + world_from_ship * corner;
-        const Box box = box_of(triangle, channel, body_from_world, width, height);
+        const Box box = box_of(triangle, channel, eye_from_world, width, height);
         for (std::int64_t y = box.top; y <= box.bottom; ++y) {
             for (std::int64_t x = box.left; x <= box.right; ++x) {
                 const auto i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);

@@ -31,11 +31,6 @@ FramePacket even_keel(Stage& stage, std::uint64_t frame, SignalValues signals = 
 
 constexpr std::array<std::string_view, 1> port_wake{"lph2.bow_wake_port"};
 
-std::size_t ship_row(const Stage& stage) {
-    const auto& names = stage.database().moving_objects;
-    return static_cast<std::size_t>(std::ranges::find(names, "lph2") - names.begin());
-}
-
 /// The bow wake's own slots have a first alternative that is nothing, or not.
 void show_face(const Stage& stage, FramePacket& packet, std::uint32_t face) {
     for (const char* slot :
@@ -75,7 +70,7 @@ double covered(Stage& stage, double elevation_deg) {
     for (std::uint32_t face = 1; face <= wake_faces; ++face) {
         FramePacket packet = even_keel(stage, 0);
         show_face(stage, packet, face);
-        look_beside(packet, ship_row(stage), eye, middle, 40.0);
+        look_beside(packet, stage.moving_object("lph2"), eye, middle, 40.0);
         stage.draw(packet);
         const auto mask = stage.mask(port_wake);
         pixels += static_cast<double>(std::ranges::count(mask, 1));
@@ -89,7 +84,7 @@ void sheet_of_faces(Stage& stage, Findings& findings) {
     for (const std::uint32_t face : {1U, 4U, 7U, 10U, 12U, 15U, 17U, 19U, 22U, 24U, 26U, 28U}) {
         FramePacket packet = even_keel(stage, 0);
         show_face(stage, packet, face);
-        look_beside(packet, ship_row(stage), {95, 62, 5}, {62, 6, 4}, 40.0);
+        look_beside(packet, stage.moving_object("lph2"), {95, 62, 5}, {62, 6, 4}, 40.0);
         const ig::VideoFrame& picture = stage.draw(packet);
         sheet.place(place++, picture, fmt::format("face {}", face));
         if (face == 1 || face == 7 || face == 28)
@@ -100,8 +95,7 @@ void sheet_of_faces(Stage& stage, Findings& findings) {
     sheet.write(findings.folder() + "/figure_12_13.png");
 }
 
-/// The light of every list but the churned ones taken away, so that what is
-/// added is seen alone.
+/// The sea's light taken away, so that what is added to it is seen alone.
 void darken(const VisualDatabase& database, FramePacket& packet) {
     packet.lighting.clear();
     for (std::uint32_t list = 0; list < database.lists.size(); ++list)
@@ -152,7 +146,7 @@ void bow_wakes(Findings& findings) {
                      0.15);
     FramePacket packet = even_keel(stage, 0);
     show_face(stage, packet, 12);
-    look_beside(packet, ship_row(stage), {70, 10, 90}, {66, 0, 0}, 60.0);
+    look_beside(packet, stage.moving_object("lph2"), {70, 10, 90}, {66, 0, 0}, 60.0);
     findings.picture("figure_13_from_above", stage.draw(packet));
     for (const auto& [name, signal] :
          {std::pair{"white_v", Signal::white_v}, std::pair{"blended_v", Signal::blended_v},
@@ -162,14 +156,14 @@ void bow_wakes(Findings& findings) {
         signals.set(Signal::churned, 1.0);
         signals.set(signal, 1.0);
         FramePacket other = even_keel(stage, 40, signals);
-        look_beside(other, ship_row(stage), {140, 130, 45}, {0, 10, 0}, 56.0);
+        look_beside(other, stage.moving_object("lph2"), {140, 130, 45}, {0, 10, 0}, 56.0);
         findings.picture(fmt::format("wake_{}", name), stage.draw(other));
     }
 }
 
 void churned_water(Findings& findings) {
     Stage stage(with_every_method);
-    const std::size_t ship = ship_row(stage);
+    const std::size_t ship = stage.moving_object("lph2");
     SignalValues flat;
     flat.set(Signal::smooth_shading, 0.0);
     FramePacket stern = even_keel(stage, 30, flat);

@@ -6,6 +6,7 @@
 #include "tools/figures/stage.h"
 
 #include "database/model/mathematics.h"
+#include "database/model/rotation.h"
 
 #include <fmt/format.h>
 
@@ -34,18 +35,19 @@ struct Square {
 };
 
 /// The square of side `side_m` on z = 0 that a place of the picture shows.
-Square square_at(const ChannelView& channel, double across, double down, double side_m) {
-    const Vec3d ray = ray_through(channel, across, down);
+Square square_at(const ChannelView& channel, const Mat3d& world_from_eye, double across, double down,
+                 double side_m) {
+    const Vec3d ray = ray_through(channel, world_from_eye, across, down);
     const Vec3d point = channel.eye_m - ray * (channel.eye_m.z / ray.z);
     return {static_cast<std::int64_t>(std::floor(point.x / side_m)),
             static_cast<std::int64_t>(std::floor(point.y / side_m))};
 }
 
 /// The same for a pixel, unless its square's border is within a pixel.
-std::optional<Square> square_of(const ChannelView& channel, const ig::VideoFrame& picture, std::size_t x,
-                                std::size_t y, double side_m) {
+std::optional<Square> square_of(const ChannelView& channel, const Mat3d& world_from_eye,
+                                const ig::VideoFrame& picture, std::size_t x, std::size_t y, double side_m) {
     const auto at = [&](double dx, double dy) {
-        return square_at(channel, (static_cast<double>(x) + 0.5 + dx) / picture.width,
+        return square_at(channel, world_from_eye, (static_cast<double>(x) + 0.5 + dx) / picture.width,
                          (static_cast<double>(y) + 0.5 + dy) / picture.height, side_m);
     };
     const Square middle = at(0, 0);
@@ -72,10 +74,12 @@ int analytic_level(const VisualDatabase& database, const RepeatedTile& tile, con
 int worst_square(Stage& stage, const FramePacket& packet, const ig::VideoFrame& picture,
                  std::size_t& compared) {
     const RepeatedTile& tile = stage.database().tiles.front();
+    const ChannelView& channel = packet.channels[0];
+    const Mat3d world_from_eye = world_from_body(channel.attitude);
     int worst = 0;
     for (std::size_t y = 0; y < picture.height; ++y) {
         for (std::size_t x = 0; x < picture.width; ++x) {
-            const auto square = square_of(packet.channels[0], picture, x, y, tile.cell_m);
+            const auto square = square_of(channel, world_from_eye, picture, x, y, tile.cell_m);
             if (!square) continue;
             const int expected =
                 analytic_level(stage.database(), tile, *square, packet.suns[stage.sea_sun()]);
@@ -93,10 +97,12 @@ void cut_edges(Findings& findings) {
     ig::VideoFrame picture = stage.draw(packet);
     const RepeatedTile& tile = stage.database().tiles.front();
     const double finest_m = tile.cell_m / static_cast<double>(1U << tile.fine_levels);
+    const ChannelView& channel = packet.channels[0];
+    const Mat3d world_from_eye = world_from_body(channel.attitude);
     std::map<Square, std::set<std::int32_t>> triangles;
     for (std::size_t y = 0; y < picture.height; ++y)
         for (std::size_t x = 0; x < picture.width; ++x)
-            if (const auto square = square_of(packet.channels[0], picture, x, y, finest_m))
+            if (const auto square = square_of(channel, world_from_eye, picture, x, y, finest_m))
                 triangles[*square].insert(picture.rank[y * picture.width + x]);
     std::size_t cut_in_two = 0;
     for (const auto& [square, ranks] : triangles)

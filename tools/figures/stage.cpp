@@ -38,10 +38,10 @@ FramePacket Stage::packet(std::uint64_t frame, const host::SignalValues& signals
 }
 
 const ig::VideoFrame& Stage::draw(const FramePacket& packet) {
-    report_ = &flight_.machine().frame(packet);
-    if (!report_->errors.empty())
+    const FrameReport& report = flight_.machine().frame(packet);
+    if (!report.errors.empty())
         throw std::logic_error(
-            fmt::format("a figure's packet was refused: {}", fmt::join(report_->errors, "; ")));
+            fmt::format("a figure's packet was refused: {}", fmt::join(report.errors, "; ")));
     return flight_.machine().picture(0);
 }
 
@@ -63,6 +63,10 @@ std::uint32_t Stage::alternatives(const std::string& slot) const {
     return found ? directory_.slots[*found].alternatives : 0;
 }
 
+std::size_t Stage::moving_object(const std::string& name) const {
+    return directory_.find_moving_object(name).value();
+}
+
 std::vector<std::uint8_t> Stage::mask(std::span<const std::string_view> lists) const {
     const ig::Machine& machine = flight_.machine();
     const std::vector<std::int32_t>& ranks = machine.picture(0).rank;
@@ -77,8 +81,8 @@ std::vector<std::uint8_t> Stage::mask(std::span<const std::string_view> lists) c
     return mask;
 }
 
-void look(FramePacket& packet, const Vec3d& eye_m, const Vec3d& aim_m, double horizontal_field_deg,
-          double aspect) {
+void look(FramePacket& packet, const Vec3d& eye_m, const Vec3d& aim_m, double horizontal_field_deg) {
+    constexpr double aspect = 4.0 / 3.0;
     ChannelView& channel = packet.channels.front();
     channel.eye_m = eye_m;
     channel.attitude = host::looking_along(aim_m - eye_m);
@@ -96,11 +100,10 @@ void look_beside(FramePacket& packet, std::size_t moving_object, const Vec3d& ey
          ship.waterline_position_m + world_from_waterline * aim_m, horizontal_field_deg);
 }
 
-Vec3d ray_through(const ChannelView& channel, double across, double down) {
-    const Mat3d body = world_from_body(channel.attitude);
+Vec3d ray_through(const ChannelView& channel, const Mat3d& world_from_eye, double across, double down) {
     const double x = channel.left_tangent + (channel.right_tangent - channel.left_tangent) * across;
     const double y = channel.top_tangent - (channel.top_tangent - channel.bottom_tangent) * down;
-    return body[0] - x * body[1] + y * body[2];
+    return world_from_eye[0] - x * world_from_eye[1] + y * world_from_eye[2];
 }
 
 } // namespace linkdig::tools

@@ -1,6 +1,7 @@
 #include "tools/preview/preview.h"
 
 #include "database/model/mathematics.h"
+#include "database/model/rotation.h"
 #include "host/motion/view.h"
 
 #include <algorithm>
@@ -58,11 +59,7 @@ PreviewSubject subject_of(const VisualDatabase& database, const std::string& nam
     return subject;
 }
 
-Vec3f default_sun() {
-    const double azimuth = radians(35.0), elevation = radians(42.0);
-    return Vec3f(
-        Vec3d(cosine(elevation) * cosine(azimuth), cosine(elevation) * sine(azimuth), sine(elevation)));
-}
+Vec3f default_sun() { return Vec3f(direction(radians(35.0), radians(42.0))); }
 
 } // namespace
 
@@ -97,10 +94,7 @@ FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject&
     for (std::size_t i = 0; i < packet.moving_objects.size(); ++i)
         packet.moving_objects[i].visible = subject.moving_object == static_cast<std::int32_t>(i);
     packet.lod_bias = finest;
-    const double azimuth = radians(view.azimuth_deg);
-    const double elevation = radians(view.elevation_deg);
-    const Vec3d outward(cosine(elevation) * cosine(azimuth), cosine(elevation) * sine(azimuth),
-                        sine(elevation));
+    const Vec3d outward = direction(radians(view.azimuth_deg), radians(view.elevation_deg));
     const double half = radians(half_field_deg);
     const double radius = std::max(0.5, subject.radius_m);
     const double nearest = radius / sine(half) * std::max(1.0, 1.0 / aspect);

@@ -121,16 +121,10 @@ TEST(Details, WhatHasNoLevelKeepsItsPlaceAmongThem) {
         const std::vector<std::uint32_t> order = without_levels(d.lists[0].root, eye);
         for (int r = 0; r < 40; ++r) {
             const Ray ray{eye, glm::normalize(random.point({-8, -8, -8}, {8, 8, 8}) - eye)};
-            double first = 1e300, nearest = 1e300, margin = 1e300;
-            for (const std::uint32_t f : order) {
-                double distance = 0;
-                if (!meets(d, d.faces[f], ray, distance, margin)) continue;
-                if (first > 1e299) first = distance;
-                nearest = std::min(nearest, distance);
-            }
-            if (margin < 5e-3 || nearest > 1e299) continue;
+            const Met met = met_in_order(d, order, ray);
+            if (!met.clearly()) continue;
             ++hits;
-            EXPECT_LT(first - nearest, 1e-2);
+            EXPECT_LT(met.first - met.nearest, 1e-2);
         }
     }
     EXPECT_GT(hits, 1000);

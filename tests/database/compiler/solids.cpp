@@ -154,6 +154,17 @@ bool meets(const VisualDatabase& d, const Face& face, const Ray& ray, double& di
     return inside > 0;
 }
 
+Met met_in_order(const VisualDatabase& d, const std::vector<std::uint32_t>& order, const Ray& ray) {
+    Met met;
+    for (const std::uint32_t f : order) {
+        double distance = 0;
+        if (!meets(d, d.faces[f], ray, distance, met.margin)) continue;
+        if (met.first > 1e299) met.first = distance;
+        met.nearest = std::min(met.nearest, distance);
+    }
+    return met;
+}
+
 void check_rays(const VisualDatabase& d, const std::vector<Solid>& solids, Random& random, int eyes,
                 Tally& tally) {
     for (int e = 0; e < eyes; ++e) {

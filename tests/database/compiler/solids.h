@@ -60,6 +60,15 @@ void walk(const VisualDatabase& d, std::int32_t reference, const Vec3d& eye,
 /// Does the ray meet the face from its front (or either side)? `margin` shrinks to the nearest edge's distance, metres.
 bool meets(const VisualDatabase& d, const Face& face, const Ray& ray, double& distance, double& margin);
 
+/// What a ray meets among faces in an order: distances, metres, of the first in that order and of the nearest.
+struct Met {
+    double first = 1e300, nearest = 1e300;
+    double margin = 1e300; ///< to the nearest edge of any of them
+    /// It meets one, and no edge is so near that either answer would be right.
+    bool clearly() const { return margin >= 5e-3 && nearest <= 1e299; }
+};
+Met met_in_order(const VisualDatabase& d, const std::vector<std::uint32_t>& order, const Ray& ray);
+
 /// Rays looked at; wrong: the first face in the order is not the nearest solid.
 struct Tally {
     int rays = 0, hits = 0, grazing = 0, wrong = 0;

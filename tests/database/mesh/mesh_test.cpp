@@ -43,28 +43,32 @@ struct Scene {
     }
 };
 
-double area_of(const VisualDatabase& d) {
-    double sum = 0;
+/// Calls visit(face, a, b, c) for the triangles of each face's fan.
+template <typename Visit>
+void for_triangles(const VisualDatabase& d, const Visit& visit) {
     for (const Face& face : d.faces) {
         const auto at = [&](std::uint32_t i) {
-            return Vec3d(Vec3f(d.vertices[d.corners[face.first_corner + i]].position));
+            return Vec3f(d.vertices[d.corners[face.first_corner + i]].position);
         };
         for (std::uint32_t i = 1; i + 1U < face.corner_count; ++i)
-            sum += 0.5 * glm::dot(Vec3d(face.normal), glm::cross(at(i) - at(0), at(i + 1) - at(0)));
+            visit(face, at(0), at(i), at(i + 1));
     }
+}
+
+double area_of(const VisualDatabase& d) {
+    double sum = 0;
+    for_triangles(d, [&](const Face& face, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+        sum += 0.5 * glm::dot(Vec3d(face.normal), glm::cross(b - a, c - a));
+    });
     return sum;
 }
 
 /// Of a closed solid its volume, whatever triangles it is made of.
 double volume_of(const VisualDatabase& d) {
     double sum = 0;
-    for (const Face& face : d.faces) {
-        const auto at = [&](std::uint32_t i) {
-            return Vec3d(Vec3f(d.vertices[d.corners[face.first_corner + i]].position));
-        };
-        for (std::uint32_t i = 1; i + 1U < face.corner_count; ++i)
-            sum += glm::dot(at(0), glm::cross(at(i), at(i + 1))) / 6.0;
-    }
+    for_triangles(d, [&](const Face&, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+        sum += glm::dot(a, glm::cross(b, c)) / 6.0;
+    });
     return sum;
 }
 
@@ -193,17 +197,11 @@ TEST(Meshes, AMissingBufferIsNamed) {
 using Triangle = std::array<std::array<float, 3>, 3>;
 std::vector<std::pair<std::string, Triangle>> triangles_of(const VisualDatabase& d) {
     std::vector<std::pair<std::string, Triangle>> all;
-    for (const Face& face : d.faces) {
-        const auto at = [&](std::uint32_t i) {
-            const Vec4f& p = d.vertices[d.corners[face.first_corner + i]].position;
-            return std::array<float, 3>{p.x, p.y, p.z};
-        };
-        for (std::uint32_t i = 1; i + 1U < face.corner_count; ++i) {
-            Triangle triangle{at(0), at(i), at(i + 1)};
-            std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-            all.emplace_back(d.colour_names[face.colour], triangle);
-        }
-    }
+    for_triangles(d, [&](const Face& face, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+        Triangle triangle{{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}};
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+        all.emplace_back(d.colour_names[face.colour], triangle);
+    });
     std::sort(all.begin(), all.end());
     return all;
 }
