@@ -94,8 +94,9 @@ std::vector<Hit> cast(const ShipTriangles& ship, const MovingObject& pose, const
     std::vector<Hit> hits(pixels, Hit::sky);
     const Mat3d world_from_eye = world_from_body(channel.attitude);
     for (std::size_t i = 0; i < pixels; ++i) {
-        rays[i] = ray_through(channel, world_from_eye, (static_cast<double>(i % width) + 0.5) / width,
-                              (static_cast<double>(i / width) + 0.5) / height);
+        const std::size_t row = i / width, column = i % width;
+        rays[i] = ray_through(channel, world_from_eye, (static_cast<double>(column) + 0.5) / width,
+                              (static_cast<double>(row) + 0.5) / height);
         if (rays[i].z >= 0.0) continue;
         nearest[i] = -channel.eye_m.z / rays[i].z;
         hits[i] = Hit::sea;

@@ -31,6 +31,7 @@ constexpr double swell_speed_m_s =
 struct Square {
     std::int64_t i = 0;
     std::int64_t j = 0;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 that <=> is compared with for a pointer
     auto operator<=>(const Square&) const = default;
 };
 
