@@ -21,9 +21,11 @@ constexpr double guard_limit = 256.0 * (guard_pixels - 512);
 /// interpolation has no meaning across the eye, and small pieces bound what it gets wrong.
 constexpr int near_subdivisions = 2;
 
-/// z >= near_plane_m at w = 1; a direction (w = 0) must point at least a thousandth forward, so that it lands
-/// somewhere.
-constexpr double least_forward = 1e-3;
+/// z >= near_plane_m at w = 1; a direction (w = 0) must point a little forward, so that it lands somewhere. Between the
+/// two, on an edge to infinity that passes the eye far from its near end (w is about that end's distance to the minus 1),
+/// the plane stands least_forward / w before the eye: 0.2 mm at 20 km. With a thousandth it stood 20 m off, and the ground
+/// at the eye's feet was missing.
+constexpr double least_forward = 1e-8;
 constexpr ClipPlane near_plane{.c = 1.0, .e = least_forward - near_plane_m, .constant = -least_forward};
 
 double snap(double value) { return std::floor(value + 0.5); }
