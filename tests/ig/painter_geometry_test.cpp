@@ -76,6 +76,44 @@ TEST(PainterAgainstGeometry, sea_from_all_attitudes) {
     EXPECT_GT(faces, 5000U);
 }
 
+/// A static quarter of the ground: one corner at `corner_m`, two sides that run to infinity along +x +y and +x -y.
+VisualDatabase wedge_of_ground(const Vec3d& corner_m) {
+    VisualDatabase database;
+    database.colours = {{20, 90, 40, 0}};
+    database.suns = {"sun"};
+    database.groups.push_back({.number = 100, .root = none});
+    add_box(database, {});
+    database.vertices = {{.position = Vec4f(Vec3f(corner_m), 1.0F), .normal = {0, 0, 1}},
+                         {.position = {1, -1, 0, 0}, .normal = {0, 0, 1}},
+                         {.position = {1, 1, 0, 0}, .normal = {0, 0, 1}}};
+    database.corners = {0, 1, 2};
+    database.faces.resize(1);
+    database.faces[0].corner_count = 3;
+    database.faces[0].normal = {0, 0, 1};
+    database.runs[0].face_count = 1;
+    database.runs[0].radius = -1.0F; // never out of sight
+    return database;
+}
+
+TEST(PainterAgainstGeometry, ground_to_infinity_reaches_the_feet) {
+    for (const double away_m : {100.0, 2000.0, 50'000.0}) {
+        const VisualDatabase database = wedge_of_ground({-away_m, 0.0, 0.0});
+        for (const double height_m : {0.3, 1.7, 30.0}) {
+            SCOPED_TRACE(std::to_string(height_m) + " m above, corner " + std::to_string(away_m) +
+                         " m behind");
+            FramePacket packet;
+            packet.channels = {channel_at({0, 0, height_m}, 0.0, -75.0)};
+            packet.suns = {Vec3f(0, 0, 1)};
+            const Scene scene = scene_of(database, packet, {160, 120, Scan::horizontal});
+            expect_contract(scene.projected);
+            // 75 degrees down with 60 degrees of view: every ray meets the ground, 45 degrees before the feet and beyond.
+            const std::vector<std::uint32_t> count = support::coverage(scene.projected, scene.raster);
+            EXPECT_EQ(*std::min_element(count.begin(), count.end()), 1U);
+            EXPECT_EQ(*std::max_element(count.begin(), count.end()), 1U);
+        }
+    }
+}
+
 TEST(PainterAgainstGeometry, the_sea_has_no_gap) {
     const VisualDatabase database = sea_database();
     RandomStream random(12);
