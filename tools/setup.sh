@@ -17,13 +17,13 @@ demo_packages=(
     cmake ninja-build g++ pkg-config
     libglm-dev libfmt-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
     libflatbuffers-dev flatbuffers-compiler libxxhash-dev
-    libopenimageio-dev fonts-dejavu-core libassimp-dev
+    libopenimageio-dev fonts-dejavu-core zlib1g-dev libassimp-dev
     libembree-dev
     libsdl2-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
 )
 test_packages=(
     libgtest-dev libgmock-dev assimp-testmodels clang clang-format clang-tidy python3
-    xvfb xdotool ffmpeg
+    xvfb xdotool ffmpeg openimageio-tools chromium
 )
 
 set_name=${1:-demo}

@@ -2,24 +2,26 @@
 //
 //   golden.toml     database, raster, and in one line why it is there
 //   packets.jsonl   a frame packet per line
-//   frame_<n>.png   the expected picture of packet <n>'s first channel
+//   frame_<n>.png   the expected picture of packet <n>'s first channel; channel_<k>_<n>.png of further ones
 //
-// LINKDIG_UPDATE_GOLDENS=1 rewrites the pictures that differ; look at them before they are committed.
+// The pictures are held against the packets by what linkdig compare runs. LINKDIG_UPDATE_GOLDENS=1 rewrites those that
+// fail; look at them before they are committed (docs/goldens.md).
 
 #include "database/text/table_reader.h"
-#include "host/packet/packet_json.h"
-#include "ig/machine/machine.h"
-#include "ig/sink/image_file.h"
-#include "tests/support/picture_comparison.h"
+#include "tools/compare/compare.h"
+#include "tools/compare/read_picture.h"
+#include "tools/compare/report_text.h"
+#include "tools/compare/update.h"
 #include "tools/flight/open_database.h"
 
-#include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <vector>
 
 namespace linkdig {
 namespace {
@@ -55,71 +57,99 @@ Golden read_golden(const fs::path& folder) {
     return golden;
 }
 
-/// An 8-bit RGB file as a picture; empty if it cannot be read.
-ig::VideoFrame read_picture(const fs::path& path) {
-    ig::VideoFrame picture;
-    const auto input = OIIO::ImageInput::open(path.string());
-    if (!input || input->spec().nchannels != 3) return picture;
-    picture.width = static_cast<std::uint32_t>(input->spec().width);
-    picture.height = static_cast<std::uint32_t>(input->spec().height);
-    std::vector<std::uint8_t> bytes(std::size_t{picture.width} * picture.height * 3);
-    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes.data())) return {};
-    for (std::size_t k = 0; k < bytes.size(); k += 3) {
-        picture.pixels.push_back(0xff000000U | static_cast<std::uint32_t>(bytes[k + 2]) << 16U |
-                                 static_cast<std::uint32_t>(bytes[k + 1]) << 8U | bytes[k]);
-    }
-    return picture;
+/// The directories, by name.
+std::vector<fs::path> golden_folders() {
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator(fs::path(LINKDIG_SOURCE_DIR) / "tests/golden"))
+        if (fs::exists(entry.path() / "golden.toml")) folders.push_back(entry.path());
+    std::ranges::sort(folders);
+    return folders;
 }
 
 void check_golden(const Golden& golden) {
     const tools::OpenedDatabase opened = tools::open_database(golden.database);
-    ig::Machine machine(opened.database, golden.configuration);
-    std::ifstream packets(golden.folder / "packets.jsonl");
-    std::string line;
-    int frames = 0;
-    for (; std::getline(packets, line); ++frames) {
-        const PacketResult packet = from_json(line);
-        ASSERT_TRUE(packet.packet) << golden.folder << " packet " << frames << ": " << packet.error;
-        const FrameReport& report = machine.frame(*packet.packet);
-        ASSERT_TRUE(report.errors.empty()) << report.errors.front();
-        const fs::path expected = golden.folder / fmt::format("frame_{}.png", packet.packet->frame);
-        const ig::VideoFrame reference = read_picture(expected);
-        const support::PictureDifference difference = support::compare(reference, machine.picture(0));
-        const bool same = !reference.pixels.empty() && difference.pixels == 0;
-        if (!same && std::getenv("LINKDIG_UPDATE_GOLDENS") != nullptr) {
-            ig::write_png(expected.string(), machine.picture(0));
-            continue;
-        }
-        EXPECT_FALSE(reference.pixels.empty()) << expected << " cannot be read";
-        EXPECT_EQ(difference.pixels, 0U) << expected << " (" << golden.why << ")\n" << difference.explanation;
-    }
-    EXPECT_GT(frames, 0) << golden.folder << " has no packets";
+    compare::Case which;
+    which.name = golden.folder.filename().string();
+    which.why = golden.why;
+    which.expected = golden.folder.string();
+    which.actual = (golden.folder / "packets.jsonl").string();
+    compare::Settings settings;
+    settings.expected_frames.database = settings.actual_frames.database = &opened.database;
+    settings.actual_frames.configuration = golden.configuration;
+    settings.scan = golden.configuration.raster.scan;
+    settings.threads = 1;
+    const bool update = std::getenv("LINKDIG_UPDATE_GOLDENS") != nullptr;
+    const compare::CaseResult result =
+        compare::compare_case(which, settings, [&](const compare::FrameResult& frame) {
+            if (update) compare::update_reference(frame, which.expected);
+        });
+    if (!update)
+        EXPECT_EQ(result.exit_code(), 0)
+            << compare::text_of(result, settings.scan) << compare::closing_line({result});
 }
 
 TEST(Golden, EveryDirectoryShowsWhatItShowed) {
-    int directories = 0;
-    for (const auto& entry : fs::directory_iterator(fs::path(LINKDIG_SOURCE_DIR) / "tests/golden")) {
-        if (!entry.is_directory()) continue;
-        SCOPED_TRACE(entry.path().filename().string());
-        const Golden golden = read_golden(entry.path());
+    const std::vector<fs::path> folders = golden_folders();
+    for (const fs::path& folder : folders) {
+        SCOPED_TRACE(folder.filename().string());
+        const Golden golden = read_golden(folder);
         EXPECT_FALSE(golden.why.empty());
         check_golden(golden);
-        ++directories;
     }
-    EXPECT_GE(directories, 1);
+    EXPECT_GE(folders.size(), 4U);
 }
 
-// A golden that cannot fail is none: one pixel off by one level must be told.
-TEST(Golden, OnePixelOffByOneLevelIsADifference) {
-    const fs::path path = fs::path(LINKDIG_SOURCE_DIR) / "tests/golden/approach/frame_300.png";
-    const ig::VideoFrame expected = read_picture(path);
-    ASSERT_FALSE(expected.pixels.empty());
-    ig::VideoFrame actual = expected;
-    actual.pixels[actual.pixels.size() / 2] ^= 1U;
-    const support::PictureDifference difference = support::compare(expected, actual);
-    EXPECT_EQ(difference.pixels, 1U);
-    EXPECT_EQ(difference.worst_level, 1U);
-    EXPECT_FALSE(difference.explanation.empty());
+/// A golden in a scratch folder, to be spoilt.
+class SpoiltGolden : public testing::Test {
+protected:
+    void SetUp() override {
+        fs::remove_all(scratch_);
+        fs::create_directories(scratch_.parent_path());
+        fs::copy(fs::path(LINKDIG_SOURCE_DIR) / "tests/golden/approach", scratch_);
+    }
+    void TearDown() override { fs::remove_all(scratch_); }
+    compare::CaseResult compare_with(const std::string& packets) const {
+        Golden golden = read_golden(fs::path(LINKDIG_SOURCE_DIR) / "tests/golden/approach");
+        const tools::OpenedDatabase opened = tools::open_database(golden.database);
+        compare::Settings settings;
+        settings.expected_frames = {&opened.database, 0, golden.configuration};
+        settings.actual_frames = settings.expected_frames;
+        compare::Case which;
+        which.expected = scratch_.string();
+        which.actual = packets;
+        return compare::compare_case(which, settings, [](const compare::FrameResult&) {});
+    }
+    fs::path scratch_ = fs::path(LINKDIG_BUILD_DIR) / "golden_scratch" / "spoilt";
+};
+
+// A golden that cannot fail is none.
+TEST_F(SpoiltGolden, OnePixelOffByOneLevelIsADifferenceWithAFaceToIt) {
+    const std::string packets = (scratch_ / "packets.jsonl").string();
+    EXPECT_EQ(compare_with(packets).exit_code(), 0);
+    compare::ReadPicture picture = compare::read_picture((scratch_ / "frame_300.png").string());
+    ASSERT_TRUE(picture.picture) << picture.error;
+    picture.picture->bytes[3 * (120 * 320 + 160) + 1] ^= 1U;
+    compare::FrameResult frame;
+    frame.verdict = compare::Verdict::differs;
+    frame.expected_path = (scratch_ / "frame_300.png").string();
+    frame.actual = std::make_shared<const compare::Picture>(*picture.picture);
+    compare::update_reference(frame, scratch_.string());
+    const compare::CaseResult result = compare_with(packets);
+    ASSERT_EQ(result.exit_code(), 1);
+    EXPECT_EQ(result.first->difference.differing, 1U);
+    EXPECT_EQ(result.first->difference.largest, 1.0);
+    EXPECT_EQ(result.first->difference.first, (compare::Place{160, 120, 1}));
+    EXPECT_NE(result.first->first_actual_who.find(", list "), std::string::npos)
+        << result.first->first_actual_who;
+}
+
+TEST_F(SpoiltGolden, AFrameThatIsGoneIsMissed) {
+    fs::remove(scratch_ / "frame_300.png");
+    std::ofstream(scratch_ / "frame_301.png") << "";
+    const compare::CaseResult result = compare_with((scratch_ / "packets.jsonl").string());
+    EXPECT_EQ(result.exit_code(), 3);
+    EXPECT_EQ(result.extra, std::vector<std::string>{"frame 300"});
+    EXPECT_EQ(result.missing, std::vector<std::string>{"frame_301.png"});
 }
 
 } // namespace

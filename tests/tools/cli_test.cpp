@@ -1,39 +1,14 @@
-#include "tests/tools/pictures.h"
+#include "tests/tools/command.h"
 
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <sys/wait.h>
 
 namespace linkdig::tools {
 namespace {
 
 using testing::HasSubstr;
-
-struct Outcome {
-    int exit_code = -1;
-    std::string output;
-    std::string errors;
-};
-
-/// Runs the binary as a person would, without a display.
-Outcome run(const std::string& arguments) {
-    const TemporaryFolder folder;
-    const std::string errors = folder.file("errors");
-    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER '" LINKDIG_BINARY "' " +
-                                arguments + " 2>" + errors;
-    Outcome outcome;
-    FILE* pipe = popen(command.c_str(), "r");
-    std::array<char, 4096> buffer{};
-    while (pipe != nullptr && std::fgets(buffer.data(), buffer.size(), pipe) != nullptr)
-        outcome.output += buffer.data();
-    if (pipe != nullptr) outcome.exit_code = WEXITSTATUS(pclose(pipe));
-    outcome.errors = bytes_of(errors);
-    return outcome;
-}
 
 const std::string scenario = "'" LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml'";
 
