@@ -2,6 +2,7 @@
 
 #include "tests/tools/compare/frames.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,21 +44,24 @@ Frame mutated(const Frame& from, Mutation mutation, std::mt19937& random) {
 
 /// 0: idiff finds the two the same.
 int idiff(const std::string& a, const std::string& b) {
-    const std::string command = "idiff '" + a + "' '" + b + "' >/dev/null 2>&1";
+    const std::string command = fmt::format("idiff '{}' '{}' >/dev/null 2>&1", a, b);
     return WEXITSTATUS(std::system(command.c_str()));
 }
 
-TEST(CompareIdiff, SameVerdictsOnTwoHundredMutations) {
+/// Two hundred mutations in four parts: starting idiff takes a while on a busy machine.
+class CompareIdiff : public testing::TestWithParam<unsigned> {};
+
+TEST_P(CompareIdiff, SameVerdictsOnFiftyMutations) {
     if (std::system("command -v idiff >/dev/null") != 0) GTEST_SKIP() << "no idiff (openimageio-tools)";
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.file("a"));
     std::filesystem::create_directories(folder.file("b"));
-    std::mt19937 random(1979);
-    constexpr int mutations = 200;
+    std::mt19937 random(GetParam());
+    constexpr int mutations = 50;
     for (int k = 0; k < mutations; ++k) {
         const auto mutation = static_cast<Mutation>(k % static_cast<int>(Mutation::count));
-        const Frame frame = test_frame(48, 36, static_cast<unsigned>(k));
-        const std::string name = "/f" + std::to_string(k) + ".png";
+        const Frame frame = test_frame(48, 36, GetParam() + static_cast<unsigned>(k));
+        const std::string name = fmt::format("/f{}.png", k);
         const bool deeper = mutation == Mutation::depth || mutation == Mutation::depth_and_pixel;
         write_frame(folder.file("a") + name, frame);
         write_frame(folder.file("b") + name, mutated(frame, mutation, random),
@@ -68,14 +72,16 @@ TEST(CompareIdiff, SameVerdictsOnTwoHundredMutations) {
     const std::string xml = bytes_of(junit);
     int same = 0;
     for (int k = 0; k < mutations; ++k) {
-        const std::string name = "f" + std::to_string(k) + ".png";
+        const std::string name = fmt::format("f{}.png", k);
         const bool ours = xml.find("name=\"" + name + "\"/>") != std::string::npos;
         EXPECT_EQ(ours, idiff(folder.file("a/" + name), folder.file("b/" + name)) == 0) << name;
         same += ours ? 1 : 0;
     }
-    EXPECT_GE(same, 40); // unchanged frames, and frames at another depth
-    EXPECT_LE(same, 60);
+    EXPECT_GE(same, 10); // unchanged frames, and frames at another depth
+    EXPECT_LE(same, 15);
 }
+
+INSTANTIATE_TEST_SUITE_P(Seeds, CompareIdiff, testing::Values(1979U, 1980U, 1981U, 1982U));
 
 } // namespace
 } // namespace linkdig::tools
