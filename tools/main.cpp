@@ -48,6 +48,7 @@ int run(int argc, char** argv) {
     linkdig::tools::add_fly(app, exit_code);
     linkdig::tools::add_record(app, exit_code);
     linkdig::tools::add_replay(app, exit_code);
+    linkdig::tools::add_convert(app, exit_code);
     linkdig::tools::add_why(app, exit_code);
     linkdig::tools::add_check(app, exit_code);
     linkdig::tools::add_compare(app, exit_code);
@@ -56,7 +57,10 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& asked) {
         return app.exit(asked); // --help, --version
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "linkdig: error: {}\nTry 'linkdig --help'.\n", mistake(app, error, argc, argv));
+        const std::string first = argc > 1 ? argv[1] : "";
+        const std::string known = std::ranges::count(subcommand_names(app), first) > 0 ? first + " " : "";
+        fmt::print(stderr, "linkdig: error: {}\nTry 'linkdig {}--help'.\n", mistake(app, error, argc, argv),
+                   known);
         return ExitCode::bad_input;
     }
     return exit_code;

@@ -82,7 +82,9 @@ void check_golden(const Golden& golden) {
         compare::compare_case(which, settings, [&](const compare::FrameResult& frame) {
             if (update) compare::update_reference(frame, which.expected);
         });
-    if (!update) {
+    if (update) {
+        EXPECT_TRUE(result.count(compare::Verdict::unreadable) == 0) << compare::closing_line({result});
+    } else {
         EXPECT_EQ(result.exit_code(), 0)
             << compare::text_of(result, settings.scan) << compare::closing_line({result});
     }

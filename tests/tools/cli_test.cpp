@@ -16,7 +16,7 @@ TEST(CommandLine, HelpAndVersionAreNoMistakes) {
     const Outcome help = run("--help");
     EXPECT_EQ(help.exit_code, 0);
     for (const char* name :
-         {"demo", "compile", "inspect", "render", "figures", "fly", "record", "replay", "why"}) {
+         {"demo", "compile", "inspect", "render", "figures", "fly", "record", "replay", "convert", "why"}) {
         EXPECT_THAT(help.output, HasSubstr(name));
         const Outcome own = run(std::string(name) + " --help");
         EXPECT_EQ(own.exit_code, 0);
@@ -52,6 +52,8 @@ TEST(CommandLine, MistakesAreToldOnStderrWithCode2) {
              Mistake{"", "subcommand is required"},
              Mistake{"dmo", "unknown subcommand 'dmo'; expected one of: demo, "},
              Mistake{"demo --frmes 3", "--frmes"},
+             Mistake{"compare a b --foo", "Try 'linkdig compare --help'"},
+             Mistake{"--foo", "Try 'linkdig --help'"},
              Mistake{"demo --frames 0", "--frames"},
              Mistake{"demo --headless --size 10", "'10' is no picture size"},
              Mistake{"demo --profile 1979", "--profile"},

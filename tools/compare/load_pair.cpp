@@ -160,9 +160,9 @@ bool Loader::is_comparable(FrameResult& frame) const {
     const Picture& b = *frame.actual;
     if (!same_shape(a, b)) {
         frame.verdict = Verdict::shape;
-        const char* what = a.width != b.width || a.height != b.height ? "size" : "channels";
-        frame.message = fmt::format("{}: another {}: expected {}; got {}", frame.name, what, shape_text(a),
-                                    shape_text(b));
+        const char* what = a.width != b.width || a.height != b.height ? "another size" : "other channels";
+        frame.message =
+            fmt::format("{}: {}: expected {}; got {}", frame.name, what, shape_text(a), shape_text(b));
         return false;
     }
     const std::string mistake = mask_mistake(which_.regions, a.width, a.height);

@@ -86,7 +86,7 @@ TEST_F(CompareCommand, AnotherSizeAndOtherChannelsHaveCode4) {
     EXPECT_THAT(
         outcome.output,
         HasSubstr("frame0001.png: another size: expected 40 x 30, 3 channels R,G,B, uint8; got 41 x 30"));
-    EXPECT_THAT(outcome.output, HasSubstr("frame0002.png: another channels: expected 40 x 30, 3 channels "
+    EXPECT_THAT(outcome.output, HasSubstr("frame0002.png: other channels: expected 40 x 30, 3 channels "
                                           "R,G,B, uint8; got 40 x 30, 1 channel"));
 }
 
