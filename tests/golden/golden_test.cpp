@@ -121,7 +121,9 @@ protected:
         which.actual = packets;
         return compare::compare_case(which, settings, [](const compare::FrameResult&) {});
     }
-    fs::path scratch_ = fs::path(LINKDIG_BUILD_DIR) / "golden_scratch" / "spoilt";
+    /// One for each test: they may run side by side.
+    fs::path scratch_ = fs::path(LINKDIG_BUILD_DIR) / "golden_scratch" /
+                        testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 // A golden that cannot fail is none.
