@@ -23,6 +23,8 @@ void HostLoop::pass_day(const SignalValues& signals) {
     const Daylight light = daylight(hour);
     packet_.time_of_day_h = static_cast<float>(hour);
     packet_.light_points = static_cast<float>(day_.lamps_by_day + (1.0 - day_.lamps_by_day) * light.lamps);
+    for (const ShipMethods& ship : methods_)
+        ship.put_lights(light.full_day, packet_);
     packet_.sky = day_.sky;
     packet_.colours.clear(); // keeps its memory
     if (light.full_day) return;

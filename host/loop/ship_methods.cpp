@@ -115,6 +115,12 @@ void ShipMethods::put_wakes(const SignalValues& signals, std::uint64_t frame, Fr
     point(slots_.cam, shows(Wake::cam, signals) ? 1 : 0, packet);
 }
 
+void ShipMethods::put_lights(bool full_day, FramePacket& packet) const {
+    const bool burn =
+        section_.lights == ShipLights::on || (section_.lights == ShipLights::from_dusk && !full_day);
+    if (burn) point(slots_.lights, 1, packet); // the slot's first alternative is nothing
+}
+
 void ShipMethods::roll_cams(const MovingObject& ship, const SignalValues& signals, std::uint64_t frame,
                             FramePacket& packet) const {
     if (!slots_.cam_port || !slots_.cam_starboard) return;

@@ -24,6 +24,8 @@ public:
     /// scenario nor a signal names a method.
     void put(const MovingObject& ship, const SignalValues& signals, std::uint64_t frame,
              FramePacket& packet) const;
+    /// Lights her lights, if she has any, or leaves them dark.
+    void put_lights(bool full_day, FramePacket& packet) const;
     /// Rolls her cams, if she has any.
     void roll_cams(const MovingObject& ship, const SignalValues& signals, std::uint64_t frame,
                    FramePacket& packet) const;
@@ -32,7 +34,7 @@ public:
     bool shows(Wake wake, const SignalValues& signals) const;
     bool can(Occulting occulting) const { return can_occult_[static_cast<std::size_t>(occulting)]; }
     bool can(Wake wake) const { return can_wake_[static_cast<std::size_t>(wake)]; }
-    std::size_t most_rows() const { return 11; }
+    std::size_t most_rows() const { return 12; }
 
 private:
     bool named(const SignalValues& signals) const;

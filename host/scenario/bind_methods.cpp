@@ -58,6 +58,7 @@ ShipSlots ship_slots(const std::string& ship, const NameDirectory& directory) {
                     .v_wake = own("v_wake"),
                     .churn = own("churn"),
                     .cam = own("cam"),
+                    .lights = own("lights"),
                     .cam_port = directory.find_moving_object(ship + ".cam_port"),
                     .cam_starboard = directory.find_moving_object(ship + ".cam_starboard"),
                     .cluster = {},
@@ -122,6 +123,8 @@ void check_methods(const ShipSection& ship, const ShipSlots& slots, database::Di
     if (methods.occulting)
         tell(methods.occulting_at, occulting_names[static_cast<std::size_t>(*methods.occulting)],
              lacking(slots, name, *methods.occulting));
+    if (methods.lights == ShipLights::on)
+        tell(methods.lights_at, "lights", without(slots.lights, name + ".lights", 2));
     if (!methods.wakes) return;
     for (std::size_t i = 0; i < wake_count; ++i)
         if ((*methods.wakes)[i])

@@ -25,6 +25,7 @@ struct ShipSlots {
     MaybeSlot v_wake; ///< 1 white, 2 blended
     MaybeSlot churn;
     MaybeSlot cam;
+    MaybeSlot lights;
     std::optional<std::uint32_t> cam_port, cam_starboard; ///< moving objects
     std::optional<std::uint32_t> cluster;                 ///< that rides on the ship
     std::optional<std::int32_t> number_behind_sea;        ///< a cluster of this number comes after the sea

@@ -45,6 +45,9 @@ MethodsSection read_methods(TableReader& ship) {
     else
         ship.node("wake");
     methods.wake_at = ship.at("wake");
+    methods.lights = static_cast<ShipLights>(
+        ship.choice("lights", 0, {ship_lights_names.begin(), ship_lights_names.end()}));
+    methods.lights_at = ship.at("lights");
     methods.wake_dwell_s = ship.duration_s("wake_dwell", methods.wake_dwell_s, {0.001, 3600.0});
     if (const toml::table* table = ship.table("cam")) {
         TableReader cam(*table, ship.file(), "[ship.cam]", ship.diagnostics());

@@ -78,12 +78,18 @@ struct MotionSection {
     std::vector<HistoryRow> history; ///< not empty: this moves her, and nothing above does
 };
 
+/// When a ship's lights burn: while it is not full day (host/motion/daylight.h), always, never.
+enum class ShipLights : std::uint8_t { from_dusk, on, off };
+inline constexpr std::array<const char*, 3> ship_lights_names{"from_dusk", "on", "off"};
+
 /// A ship's methods. Absent: the slots stay as the database has them (waterline, no wake).
 struct MethodsSection {
     std::optional<Occulting> occulting{};
     std::optional<Wakes> wakes{};
     database::SourceLocation occulting_at{};
     database::SourceLocation wake_at{};
+    ShipLights lights = ShipLights::from_dusk; ///< of a database that has a slot for them
+    database::SourceLocation lights_at{};
     double wake_dwell_s = 0.1; ///< of each of the 28 faces
     Vec3d cam_position_m{63.5, 8.1,
                          0.0}; ///< middle of the port cam's axis in the waterline frame; estimated, LPH-2's

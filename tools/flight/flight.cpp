@@ -31,12 +31,11 @@ host::Scenario scenario_of(const FlightRequest& request) {
     return scenario;
 }
 
-host::HostLoop loop_of(const host::Scenario& scenario, const OpenedDatabase& opened,
-                       const ig::Configuration& configuration) {
+host::HostLoop loop_of(const host::Scenario& scenario, const OpenedDatabase& opened, double update_rate_hz,
+                       double picture_aspect) {
     const database::NameDirectory directory = database::name_directory(opened.database, opened.id);
-    const double aspect = static_cast<double>(configuration.raster.width) / configuration.raster.height;
     try {
-        return {scenario, directory, configuration.update_rate_hz, aspect};
+        return {scenario, directory, update_rate_hz, picture_aspect};
     } catch (const std::invalid_argument& error) {
         throw BadInput(error.what()); // names that the database does not have
     }
@@ -45,8 +44,11 @@ host::HostLoop loop_of(const host::Scenario& scenario, const OpenedDatabase& ope
 } // namespace
 
 Flight::Flight(const FlightRequest& request)
-    : scenario_(scenario_of(request)), opened_(open_database(scenario_.database_path)),
-      loop_(loop_of(scenario_, opened_, request.configuration)), configuration_(request.configuration),
+    : scenario_(scenario_of(request)), opened_(open_database(scenario_.database_path, &database_files_)),
+      picture_aspect_(static_cast<double>(request.configuration.raster.width) /
+                      request.configuration.raster.height),
+      loop_(loop_of(scenario_, opened_, request.configuration.update_rate_hz, picture_aspect_)),
+      configuration_(request.configuration),
       machine_(std::make_unique<ig::Machine>(opened_.database, configuration_)) {}
 
 const FrameReport& Flight::draw(std::uint64_t frame, const host::SignalValues& signals) {
@@ -78,6 +80,19 @@ void Flight::rebuild(const ig::Configuration& configuration) {
     configuration_ = configuration;
     machine_ = std::make_unique<ig::Machine>(opened_.database, configuration_);
     machine_->restore(history);
+}
+
+void Flight::replace_database(OpenedDatabase opened) {
+    host::HostLoop loop = loop_of(scenario_, opened, loop_.update_rate_hz(), picture_aspect_);
+    if (packet_ != nullptr) {
+        resumed_ = *packet_; // it lies in the loop that goes
+        packet_ = &resumed_;
+        loop.resume(resumed_);
+    }
+    machine_.reset(); // it draws from the database that goes
+    opened_ = std::move(opened);
+    loop_ = std::move(loop);
+    machine_ = std::make_unique<ig::Machine>(opened_.database, configuration_);
 }
 
 const FrameReport& Flight::drawn(const FramePacket& packet) {

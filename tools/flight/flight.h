@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace linkdig::tools {
 
@@ -62,6 +63,9 @@ public:
     std::vector<std::uint8_t> history() const;
     /// The same flight on another machine; its pictures begin with the next draw(). The host's update rate stays.
     void rebuild(const ig::Configuration& configuration);
+    /// The same flight, in this frame, over another state of its database; a flown own ship stays where she is, and levels of
+    /// detail are chosen anew. Throws BadInput, and changes nothing, if the scenario names what the database no longer has.
+    void replace_database(OpenedDatabase opened);
 
     const FramePacket& packet() const { return *packet_; } ///< of the last draw()
     ig::Machine& machine() { return *machine_; }
@@ -74,6 +78,8 @@ public:
     }
     const VisualDatabase& database() const { return opened_.database; }
     std::uint64_t database_id() const { return opened_.id; }
+    /// What the database was made from when the flight began.
+    const std::vector<std::string>& database_files() const { return database_files_; }
     const host::Scenario& scenario() const { return scenario_; }
     const host::HostLoop& loop() const { return loop_; }
     const ig::Configuration& configuration() const { return configuration_; }
@@ -81,7 +87,9 @@ public:
 
 private:
     host::Scenario scenario_;
+    std::vector<std::string> database_files_;
     OpenedDatabase opened_;
+    double picture_aspect_; ///< of the pictures that the channels were made for
     host::HostLoop loop_;
     ig::Configuration configuration_;
     const FrameReport& drawn(const FramePacket& packet);

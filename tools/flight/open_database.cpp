@@ -45,9 +45,11 @@ OpenedDatabase read(const std::string& path) {
 
 } // namespace
 
-OpenedDatabase open_database(const std::string& path) {
+OpenedDatabase open_database(const std::string& path, std::vector<std::string>* files) {
+    if (files != nullptr) *files = {path};
     if (std::filesystem::path(path).extension() != ".toml") return read(path);
     const database::CompileResult compiled = database::compile_file(path);
+    if (files != nullptr) *files = compiled.files;
     if (!compiled.database) throw BadInput(compiled.diagnostics.text());
     const TemporaryFolder folder;
     const std::string file = folder.file("compiled.igdb");

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace linkdig::tools {
 
@@ -15,7 +16,7 @@ struct OpenedDatabase {
 
 /// Opens an .igdb file; a .toml file is compiled into one first, in a temporary folder that is gone
 /// afterwards. Throws BadInput if the source has mistakes or the file is refused, std::runtime_error if the
-/// temporary file cannot be written.
-OpenedDatabase open_database(const std::string& path);
+/// temporary file cannot be written. `files` receives, in any case, every file that the result depends on.
+OpenedDatabase open_database(const std::string& path, std::vector<std::string>* files = nullptr);
 
 } // namespace linkdig::tools

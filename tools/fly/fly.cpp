@@ -9,6 +9,7 @@
 #include "tools/fly/controls.h"
 #include "tools/fly/status.h"
 #include "tools/fly/window.h"
+#include "tools/watch/database_reload.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ class Cockpit {
 public:
     Cockpit(Flight& flight, Window& window, const FlyRequest& request, RetroDisplay* display)
         : flight_(flight), window_(window), request_(request), display_(display),
-          today_(flight.configuration()) {
+          today_(flight.configuration()), reload_(flight.scenario().database_path, flight.database_files()) {
         screen_.panel = request.panel;
         text_[1].corner = TextBlock::Corner::bottom_left;
         if (!request.record.empty())
@@ -43,6 +44,7 @@ public:
     /// One update, `slots` after the one before; false when somebody has quit.
     bool update(std::uint64_t slots, std::uint64_t overruns) {
         take_controls();
+        look_at_database();
         const std::uint64_t frame = counter_.next(signals_.snapshot(), slots);
         if (screen_.of_1980 != (shown_ && shown_->of_1980)) change_profile();
         const Shown wanted{updated(frame), standing(signals_), screen_.of_1980};
@@ -86,6 +88,32 @@ private:
     /// While flying by hand the arrow keys are the stick.
     static bool is_stick(Action action) {
         return action >= Action::sun_up && action <= Action::sea_sun_faster;
+    }
+
+    /// The author has saved: the flight goes on, over what the files say now. Its frame is drawn anew, frozen or not.
+    void look_at_database() {
+        std::optional<DatabaseReload::Outcome> outcome = reload_.poll();
+        if (!outcome) return;
+        if (!outcome->database) return refuse_database(outcome->refused);
+        if (recording_) {
+            told_ = "the database has changed; this recording keeps the one that it began with";
+            return;
+        }
+        try {
+            flight_.replace_database(std::move(*outcome->database));
+        } catch (const BadInput& lacking) {
+            return refuse_database(lacking.what());
+        }
+        shown_.reset();
+        before_.clear();
+        prices_ = {};
+        told_ = fmt::format("{} opened again: {} faces", flight_.database().name,
+                            flight_.database().faces.size());
+    }
+    /// All of it goes where there is room for it, the first line on the screen.
+    void refuse_database(const std::string& why) {
+        fmt::print(stderr, "{}{}", why, why.ends_with('\n') ? "" : "\n");
+        told_ = "the database stays: " + why.substr(0, why.find('\n'));
     }
 
     /// The frame that this update shows: of 1980 every second one is drawn, at 30 updates a second.
@@ -186,6 +214,7 @@ private:
     std::array<std::optional<Price>, effect_count> prices_;
     std::string told_;
     std::optional<RecordingWriter> recording_;
+    DatabaseReload reload_;
 };
 
 } // namespace
