@@ -1,6 +1,7 @@
 /// linkdig compile: an authoring file becomes a compiled database.
 
 #include "database/compiler/compile.h"
+#include "database/compiler/schema.h"
 #include "database/format/validate.h"
 #include "database/format/write.h"
 #include "tools/subcommands.h"
@@ -25,6 +26,7 @@ struct Arguments {
     std::string output;
     bool json = false;
     bool watch = false;
+    bool schema = false;
 };
 
 nlohmann::json as_json(const database::ListStatistics& list) {
@@ -133,7 +135,29 @@ int compile_and_watch(const Arguments& arguments) {
     }
 }
 
+nlohmann::json schema_json() {
+    nlohmann::json tables = nlohmann::json::array();
+    for (const database::TableUse& table : database::schema()) {
+        nlohmann::json keys = nlohmann::json::array();
+        for (const database::KeyUse& use : table.keys) {
+            nlohmann::json key = {{"key", use.key}, {"value", use.value}, {"required", !use.fallback}};
+            if (use.fallback) key["default"] = *use.fallback;
+            keys.push_back(std::move(key));
+        }
+        tables.push_back({{"table", table.table}, {"keys", std::move(keys)}});
+    }
+    return tables;
+}
+
+int print_schema(const Arguments& arguments) {
+    fmt::print("{}", arguments.json ? schema_json().dump(2) + "\n" : database::schema_markdown());
+    return done;
+}
+
 int compile(const Arguments& arguments) {
+    if (arguments.schema) return print_schema(arguments);
+    if (arguments.source.empty() || arguments.output.empty())
+        throw std::invalid_argument("SRC and --output are required");
     if (arguments.watch) return compile_and_watch(arguments);
     return compile_once(arguments, database::compile_file(arguments.source));
 }
@@ -143,11 +167,13 @@ int compile(const Arguments& arguments) {
 void add_compile(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("compile", "Compile an authoring file into a visual database");
     const auto arguments = std::make_shared<Arguments>();
-    command->add_option("SRC", arguments->source, "authoring file (.toml)")->required();
-    command->add_option("-o,--output", arguments->output, "compiled database to write (.igdb)")->required();
+    command->add_option("SRC", arguments->source, "authoring file (.toml)");
+    command->add_option("-o,--output", arguments->output, "compiled database to write (.igdb)");
     command->add_flag("--json", arguments->json, "print the counts, list by list, as JSON");
     command->add_flag("--watch", arguments->watch,
                       "stay, and compile again whenever SRC or a file that it includes is saved");
+    command->add_flag("--schema", arguments->schema,
+                      "print every table and key of the authoring language, as Markdown or JSON");
     command->footer(
         "Example: linkdig compile database/scenes/first_flight/first_flight.toml -o first_flight.igdb");
     command->callback([arguments, &exit_code] { exit_code = compile(*arguments); });

@@ -2,6 +2,7 @@
 
 #include "database/compiler/assemble.h"
 #include "database/compiler/check_objects.h"
+#include "database/compiler/check_solids.h"
 #include "database/compiler/edge_budgets.h"
 
 #include <utility>
@@ -37,6 +38,7 @@ CompileResult compile_file(const std::string& path) {
     result.statistics.meshes = std::move(meshes.statistics);
     result.files.insert(result.files.end(), meshes.tried.begin(), meshes.tried.end());
     check_faces(objects, reading);
+    check_solids(objects, reading);
     check_slots(objects, reading);
     check_levels(objects, reading);
     for (ModelObject& object : objects)

@@ -73,6 +73,15 @@ public:
           styles_(std::max<std::size_t>(1, kind.sides.size())), omitted_(styles_.size(), false) {}
 
     void read(const FaceStyle& inherited, ModelObject& object) {
+        const bool sided = !kind_.sides.empty();
+        reader_.describe("omit",
+                         sided ? fmt::format("array of sides: \"{}\"", fmt::join(kind_.sides, "\", \""))
+                               : "nothing: it has no sides",
+                         "none");
+        reader_.describe("colours",
+                         sided ? "table of sides, each the name of a [[colour]]" : "nothing: it has no sides",
+                         "none");
+        reader_.describe("repeat", "table", "one copy");
         const std::size_t errors_before = reading_.diagnostics->all().size();
         std::fill(styles_.begin(), styles_.end(), read_style(reader_, reading_, inherited));
         read_omitted();

@@ -98,6 +98,7 @@ void add_digit(Shape& shape, const DigitBox& box, char digit) {
 
 Shape rectangle_shape(TableReader& reader) {
     const Vec3d centre = reader.point_m("centre");
+    reader.describe("size_m", "[length, width]", {});
     const toml::node* node = reader.node("size_m");
     const double heading = reader.angle_rad("heading", 0.0, {-360, 360});
     const toml::array* size = node == nullptr ? nullptr : node->as_array();

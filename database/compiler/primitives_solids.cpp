@@ -54,6 +54,7 @@ Shape prism_shape(TableReader& reader) {
     const std::vector<Vec2d> base = reader.points2_m("base");
     const double bottom = reader.length_m("bottom");
     const double top = reader.length_m("top");
+    reader.describe("top_base_m", "array of [x, y]; or `top_base_ft`", "`base_m`");
     const bool tapered = reader.has("top_base_m") || reader.has("top_base_ft");
     const std::vector<Vec2d> top_base = tapered ? reader.points2_m("top_base") : base;
     if (mistakes.any()) return {};
@@ -142,6 +143,7 @@ std::vector<Vec3d> read_section(TableReader& reader, const toml::node& node, dou
 
 std::vector<std::vector<Vec3d>> read_sections(TableReader& reader) {
     const bool feet = reader.has("sections_ft") && !reader.has("sections_m");
+    reader.describe("sections_m", "array of arrays of [x, y, z]; or `sections_ft`", {});
     const toml::node* node = reader.node(feet ? "sections_ft" : "sections_m");
     const toml::array* array = node == nullptr ? nullptr : node->as_array();
     if (array == nullptr || array->size() < 2) {

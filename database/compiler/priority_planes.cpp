@@ -26,6 +26,7 @@ constexpr std::array<const char*, 3> side_keys{"front", "on", "back"};
 
 /// A name, or an array of names.
 std::vector<std::string> read_names(TableReader& reader, const char* key) {
+    reader.describe(key, "name, or array of names, front to back", "nothing");
     const toml::node* node = reader.node(key);
     if (node != nullptr && node->as_array() != nullptr) return reader.texts(key);
     if (node == nullptr) return {};
@@ -177,6 +178,8 @@ private:
         const auto cluster = named(reader, "cluster", registry_.cluster_names, true);
         AuthoredPlane plane = read_plane(reader, place_of(*table.table, table.file));
         const bool moving = cluster && registry_.clusters[*cluster].moving_object != none;
+        reader.describe("frame", R"("body" or "waterline" or "world")",
+                        R"("body" in a moving cluster, else "world")");
         const std::size_t frame = reader.choice("frame", moving ? 0 : 2, {"body", "waterline", "world"});
         plane.node.waterline = frame == 1 ? 1 : 0;
         if (cluster && moving == (frame == 2))

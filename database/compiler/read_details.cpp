@@ -16,6 +16,7 @@ constexpr double farthest_m = 1e7;
 /// The array of ranges under to_m or to_ft. A mistake is reported, and nothing returned.
 std::vector<double> read_ranges_m(TableReader& reader) {
     const bool feet = reader.has("to_ft") && !reader.has("to_m");
+    reader.describe("to_m", fmt::format("array of numbers, 1 to {} of them; or `to_ft`", most_levels), {});
     const char* key = feet ? "to_ft" : "to_m";
     const double unit = feet ? 0.3048 : 1.0;
     const toml::node* node = reader.node(key);

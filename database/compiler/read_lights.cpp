@@ -52,6 +52,8 @@ private:
     }
 
     void read_colour(std::optional<std::uint16_t> inherited) {
+        reader_.describe("colour", "name of a [[colour]]", "the object's");
+        reader_.describe("back_colour", "name of a [[colour]]", "`colour`");
         const auto named_colour = named(reader_, "colour", reading_.registry->colour_names, false);
         if (!named_colour && !reader_.has("colour") && !inherited)
             reader_.error_at(
@@ -76,6 +78,8 @@ private:
             reader_.error_at("back_colour",
                              "\"back_colour\" stands in a light without a second beam; expected "
                              "beam = \"two_way\"");
+        reader_.describe("direction", "[x, y, z]", "none; required in a beam");
+        reader_.describe("vertical_half_angle_deg", "number, 0.5 to 85", "`half_angle_deg`");
         const std::optional<Vec3d> forward = directed ? std::nullopt : std::optional(Vec3d(1, 0, 0));
         aim(reader_.vector("direction", forward));
         const double across = reader_.angle_rad("half_angle", 60.0, half_angles);

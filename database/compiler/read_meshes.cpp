@@ -33,6 +33,7 @@ public:
 
     void read(std::vector<ModelObject>& objects, MeshFiles& files) {
         const std::size_t errors_before = reading_.diagnostics->all().size();
+        describe();
         statistics_.name = reader_.text("name");
         const std::string path = path_of(reader_.text("file"));
         read_membership(reader_, reading_, false, pattern_);
@@ -52,6 +53,19 @@ public:
     }
 
 private:
+    /// What is read only where a file can be opened, and what excludes each other, is known all the same.
+    void describe() {
+        std::string names;
+        for (const Unit& unit : units)
+            names += fmt::format("{}\"{}\"", names.empty() ? "" : " or ", unit.name);
+        reader_.describe("unit", names, "none; it or `metres_per_unit` is required");
+        reader_.describe("metres_per_unit", "number, 1e-06 to 1e+06", "none; it or `unit` is required");
+        reader_.describe("colours", "table of material names, each the name of a [[colour]]",
+                         "the colour of the material's name");
+        reader_.describe("objects", "table of node names, each an object's name", "none");
+        reader_.describe("two_sided", "true or false", "the materials'");
+    }
+
     /// Relative to the file that names it.
     std::string path_of(const std::string& name) {
         if (name.empty()) return {};

@@ -144,6 +144,7 @@ private:
 /// `stem_m = [least, greatest]`.
 std::array<double, 2> read_range_m(TableReader& reader, const std::string& stem) {
     const std::string key = stem + "_m";
+    reader.describe(key, "[least, greatest]", {});
     const toml::node* node = reader.node(key);
     const toml::array* array = node == nullptr ? nullptr : node->as_array();
     const auto at = [&](std::size_t i) { return array->get(i)->value<double>(); };
@@ -195,6 +196,9 @@ Field read_field(TableReader& reader) {
 
 Looks read_looks(TableReader& reader, const Reading& reading) {
     Looks looks;
+    reader.describe("colour", reading.registry->colour_names.reference(), {});
+    reader.describe("outline_width_m",
+                    "number, 0.001 to 100000, beside `outline_colour`; or `outline_width_ft`", "none");
     looks.style = read_style(reader, reading, {});
     if (!looks.style.colour) reader.text("colour"); // reports the missing key
     const auto optional_colour = [&](const char* key) -> std::optional<std::uint16_t> {

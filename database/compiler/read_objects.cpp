@@ -14,8 +14,23 @@
 
 namespace linkdig::database {
 
+namespace {
+
+/// What makes faces inside an object takes the object's style.
+void describe_style(TableReader& reader) {
+    if (reader.what().find(" of [[object]]") == std::string::npos) return;
+    reader.describe("colour", "name of a [[colour]]", "the object's");
+    reader.describe("shading", R"("none" or "face" or "vertex")", "the object's");
+    reader.describe("two_sided", "true or false", "the object's");
+    reader.describe("layer", "whole number, -10000 to 10000", "the object's");
+    reader.describe("opacity", "number, 0.00390625 to 1", "the object's");
+}
+
+} // namespace
+
 FaceStyle read_style(TableReader& reader, const Reading& reading, const FaceStyle& inherited) {
     FaceStyle style = inherited;
+    describe_style(reader);
     if (const auto colour = named(reader, "colour", reading.registry->colour_names, false))
         style.colour = static_cast<std::uint16_t>(*colour);
     else if (reader.has("colour"))
@@ -30,10 +45,8 @@ FaceStyle read_style(TableReader& reader, const Reading& reading, const FaceStyl
 }
 
 bool read_mirror(TableReader& reader) {
-    if (!reader.has("mirror")) {
-        reader.node("mirror");
-        return false;
-    }
+    reader.describe("mirror", R"("y")", "none");
+    if (!reader.has("mirror")) return false;
     return reader.choice("mirror", 0, {"y"}) == 0;
 }
 
@@ -43,6 +56,8 @@ namespace {
 void read_level(TableReader& reader, const Reading& reading, ModelObject& object) {
     const Registry& registry = *reading.registry;
     const auto detail = named(reader, "detail", registry.details, false);
+    reader.describe("level", fmt::format("whole number, 0 to {}; beside `detail`", most_alternatives),
+                    "none");
     if (!reader.has("detail")) {
         if (reader.node("level") != nullptr)
             reader.error_at("level", "\"level\" stands without \"detail\"; expected both or neither");
@@ -76,6 +91,8 @@ void read_membership(TableReader& reader, const Reading& reading, bool slot_requ
 }
 
 void read_alternative(TableReader& reader, ModelObject& object) {
+    reader.describe("alternative", fmt::format("whole number, 0 to {}; beside `slot`", most_alternatives - 1),
+                    "none");
     if (reader.has("slot")) {
         object.alternative =
             static_cast<std::uint32_t>(reader.integer("alternative", 0, most_alternatives - 1));
@@ -156,6 +173,7 @@ public:
           reader_(reader_of(table, *reading.sources, "object", *reading.diagnostics)) {}
 
     ModelObject read() {
+        describe_vertices();
         object_ = begin_object(reader_, table_, reading_);
         style_ = read_style(reader_, reading_, {});
         const bool mirrored = read_mirror(reader_);
@@ -179,6 +197,16 @@ public:
 private:
     /// Faces with mistakes are dropped: then their absence is no second mistake.
     bool reading_clean() const { return reading_.diagnostics->all().size() == errors_before_; }
+
+    void describe_vertices() {
+        reader_.describe("vertices_m", "table of vertex names, each [x, y, z]; or `vertices_ft`", "none");
+        reader_.describe("directions", "table of vertex names, each [x, y, z]", "none");
+        reader_.describe("normals", "table of vertex names, each [x, y, z]",
+                         "means of the adjacent faces' normals");
+        reader_.describe(
+            "colours", "table of vertex names, each the name of a [[colour]] or [red, green, blue], 0 to 255",
+            "the faces' colours");
+    }
 
     void read_place() {
         const bool placed = reader_.has("at_m") || reader_.has("at_ft") || reader_.has("turned_deg");
@@ -269,6 +297,8 @@ private:
         TableReader reader(table, reader_.file(), "[[object.face]] of " + reader_.what(),
                            *reading_.diagnostics);
         ModelFace face;
+        reader.describe("corners", "array of vertex names, three or more", {});
+        reader.describe("diagonal", "vertex name, or array of two", "the first corner");
         face.at = place_of(table, table_.file);
         face.style = read_style(reader, reading_, style_);
         bool complete = require_colour(reader, face.style);

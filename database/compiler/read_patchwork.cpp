@@ -62,6 +62,7 @@ void add_fields(const Patchwork& work, FaceStyle style, ModelObject& object) {
 std::vector<std::uint16_t> read_colours(TableReader& reader, const Reading& reading) {
     std::vector<std::uint16_t> colours;
     const Mistakes mistakes(reader);
+    reader.describe("colours", "array of names of [[colour]]s", {});
     for (const std::string& name : reader.texts("colours")) {
         const auto colour = reading.registry->colour_names.find(name);
         if (!colour) reader.error_at("colours", reading.registry->colour_names.unknown(name));

@@ -46,17 +46,24 @@ std::optional<std::uint32_t> NameTable::find(std::string_view name) const {
     return found == index_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::string NameTable::unknown(std::string_view name) const {
-    const std::string closest = suggestion(name, names_);
+std::string NameTable::table() const {
     std::string table = kind_;
     std::replace(table.begin(), table.end(), ' ', '_');
+    return fmt::format("[[{}]]", table);
+}
+
+std::string NameTable::reference() const { return "name of a " + table(); }
+
+std::string NameTable::unknown(std::string_view name) const {
+    const std::string closest = suggestion(name, names_);
     return fmt::format("no {} is named \"{}\"; {}", kind_, name,
-                       closest.empty() ? fmt::format("expected a [[{}]] of that name", table)
+                       closest.empty() ? fmt::format("expected a {} of that name", table())
                                        : fmt::format("did you mean {}?", closest));
 }
 
 std::optional<std::uint32_t> named(TableReader& reader, std::string_view key, const NameTable& names,
                                    bool required) {
+    reader.describe(key, names.reference(), required ? std::nullopt : std::optional<std::string>("none"));
     if (!reader.has(key) && !required) {
         reader.node(key);
         return std::nullopt;
@@ -69,6 +76,7 @@ std::optional<std::uint32_t> named(TableReader& reader, std::string_view key, co
 }
 
 Vec3d read_rgb(TableReader& reader, std::string_view key) {
+    reader.describe(key, "[red, green, blue], whole numbers 0 to 255", {});
     const Vec3d rgb = reader.vector(key);
     for (int i = 0; i < 3; ++i) {
         if (rgb[i] >= 0 && rgb[i] <= 255 && std::floor(rgb[i]) == rgb[i]) continue;
@@ -159,6 +167,8 @@ private:
 
     static std::optional<Vec3d> optional_point(TableReader& reader, const char* stem) {
         const bool present = reader.has(std::string(stem) + "_m") || reader.has(std::string(stem) + "_ft");
+        reader.describe(std::string(stem) + "_m", fmt::format("[x, y, z]; or `{}_ft`", stem),
+                        "from its contents");
         const Vec3d point = reader.point_m(stem, Vec3d(0.0));
         return present ? std::optional(point) : std::nullopt;
     }
@@ -188,6 +198,9 @@ private:
         AuthoredList entry;
         entry.at = place_of(*table.table, table.file);
         entry.list.name = registry.list_names.names().back();
+        each.describe("added_to", registry.list_names.reference(), "none");
+        each.describe("frame", R"("world" or "body" or "waterline" or "eye")",
+                      R"("body" in a moving cluster, else "world")");
         const auto cluster = named(each, "cluster", registry.cluster_names, true);
         const auto sun = named(each, "sun", registry.suns, true);
         entry.in_cluster = cluster.has_value();

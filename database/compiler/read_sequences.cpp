@@ -125,6 +125,8 @@ void read_sequence(AuthoredTable table, const Reading& reading, std::vector<Mode
     TableReader reader = reader_of(table, *reading.sources, "sequence", *reading.diagnostics);
     ModelObject base;
     const std::string name = reader.text("name");
+    reader.describe("colour", reading.registry->colour_names.reference(), {});
+    reader.describe("faces", "array of arrays of corner numbers, from 1", "one face of all corners");
     base.at = place_of(*table.table, table.file);
     read_membership(reader, reading, true, base);
     FaceStyle inherited;

@@ -23,9 +23,12 @@ public:
     /// "no colour is named ..." with the closest spelling.
     std::string unknown(std::string_view name) const;
     const std::vector<std::string>& names() const { return names_; }
+    /// "name of a [[colour]]"
+    std::string reference() const;
     std::uint32_t size() const { return static_cast<std::uint32_t>(names_.size()); }
 
 private:
+    std::string table() const;
     const char* kind_;
     std::vector<std::string> names_;
     std::vector<Place> places_;

@@ -106,6 +106,7 @@ private:
     }
 
     TilePattern read_levels() {
+        reader_.describe("levels", "n rows of n numbers, 0 to 1", {});
         const toml::node* node = reader_.node("levels");
         const toml::array* rows = node == nullptr ? nullptr : node->as_array();
         std::vector<float> levels;

@@ -54,7 +54,7 @@ void seal_header(std::span<std::uint8_t> file) {
     store<std::uint64_t>(file, hash_at, hash_of_file(file, payload_id(file.subspan(header_bytes))));
 }
 
-std::string check_header(std::span<const std::uint8_t> file, std::uint64_t& id) {
+std::string check_header(std::span<const std::uint8_t> file) {
     if (file.empty()) return "the file is empty";
     if (file.size() < header_bytes)
         return fmt::format("cut short: {} bytes, the header alone takes {}", file.size(), header_bytes);
@@ -71,6 +71,10 @@ std::string check_header(std::span<const std::uint8_t> file, std::uint64_t& id) 
         return fmt::format("cut short: the header promises {} bytes, {} are there", length, present);
     if (length < present)
         return fmt::format("damaged: {} bytes follow the end that the header gives", present - length);
+    return {};
+}
+
+std::string check_hash(std::span<const std::uint8_t> file, std::uint64_t& id) {
     id = payload_id(file.subspan(header_bytes));
     if (const std::uint64_t hash = hash_of_file(file, id); hash != load<std::uint64_t>(file, hash_at))
         return fmt::format("damaged: its contents hash to {:016x}, the header says {:016x}", hash,

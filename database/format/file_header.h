@@ -25,9 +25,12 @@ inline constexpr std::uint64_t max_payload_bytes = std::uint64_t{1} << 30U;
 /// Writes the header for what follows it in `file` (at least header_bytes long) into its first bytes.
 void seal_header(std::span<std::uint8_t> file);
 
-/// Empty if the header of `file` belongs to exactly these bytes; else what is wrong with them. `id`: the database's
-/// identity, set if they do belong together: hashing takes a share of opening a large file, once is enough.
-std::string check_header(std::span<const std::uint8_t> file, std::uint64_t& id);
+/// Empty if `file` begins with a header of this version that gives its length; else what is wrong with it.
+std::string check_header(std::span<const std::uint8_t> file);
+
+/// Empty if the hash in the header of `file`, which check_header() has passed, is that of its bytes; else what is wrong.
+/// `id`: the database's identity: hashing takes a share of opening a large file, once is enough.
+std::string check_hash(std::span<const std::uint8_t> file, std::uint64_t& id);
 
 /// The database's identity: xxHash64 (seed 0) of a payload.
 std::uint64_t payload_id(std::span<const std::uint8_t> payload);

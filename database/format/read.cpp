@@ -7,8 +7,16 @@
 
 #include <fmt/format.h>
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -100,31 +108,40 @@ void copy_named(const stored::VisualDatabase& from, VisualDatabase& to, Copier& 
     copier.names_of(*from.object_names(), to.objects, "objects");
 }
 
+/// The numerous ones, side by side: most of the time goes into pages that are touched for the first time.
+void copy_numerous(const stored::VisualDatabase& from, VisualDatabase& to, Copier& copier) {
+    std::array<Copier, 6> copiers{Copier(0), Copier(0), Copier(0),
+                                  Copier(0), Copier(0), Copier(0)}; // no names
+    tbb::parallel_invoke([&] { copiers[0].records(*from.faces(), to.faces, "faces"); },
+                         [&] { copiers[1].records(*from.vertices(), to.vertices, "vertices"); },
+                         [&] { copiers[2].records(*from.planes(), to.planes, "planes"); },
+                         [&] { copiers[3].records(*from.runs(), to.runs, "runs"); },
+                         [&] { copiers[4].records(*from.run_leaves(), to.run_leaves, "run_leaves"); },
+                         [&] { copiers[5].numbers(*from.corners(), to.corners); });
+    for (const Copier& each : copiers)
+        if (!each.error().empty()) copier.refuse(each.error());
+}
+
 void copy_unnamed(const stored::VisualDatabase& from, VisualDatabase& to, Copier& copier) {
     copier.records(*from.colours(), to.colours, "colours");
     copier.records(*from.detail_levels(), to.detail_levels, "detail_levels");
     copier.records(*from.groups(), to.groups, "groups");
-    copier.records(*from.planes(), to.planes, "planes");
-    copier.records(*from.run_leaves(), to.run_leaves, "run_leaves");
-    copier.records(*from.runs(), to.runs, "runs");
-    copier.records(*from.faces(), to.faces, "faces");
-    copier.numbers(*from.corners(), to.corners);
+    copy_numerous(from, to, copier);
     copier.records(*from.corner_colours(), to.corner_colours, "corner_colours");
-    copier.records(*from.vertices(), to.vertices, "vertices");
     copier.records(*from.lights(), to.lights, "lights");
     copier.records(*from.tiles(), to.tiles, "tiles");
     copier.records(*from.tile_normals(), to.tile_normals, "tile_normals");
 }
 
-/// `payload` is aligned, and its identity is `id`.
-ReadResult decode_payload(std::span<const std::uint8_t> payload, std::uint64_t id) {
+/// `payload` is aligned.
+ReadResult decode_payload(std::span<const std::uint8_t> payload) {
     if (payload.size() > max_payload_bytes)
         return refused(fmt::format("too large: {} bytes", payload.size()));
     flatbuffers::Verifier verifier(payload.data(), payload.size());
     if (payload.size() < 2 * sizeof(flatbuffers::uoffset_t) || !stored::VerifyVisualDatabaseBuffer(verifier))
         return refused("damaged: the FlatBuffers verifier refuses it");
     const stored::VisualDatabase& root = *stored::GetVisualDatabase(payload.data());
-    ReadResult result{.database = VisualDatabase{}, .id = id, .error = {}};
+    ReadResult result{.database = VisualDatabase{}, .id = 0, .error = {}};
     Copier copier(payload.size());
     copy_named(root, *result.database, copier);
     copy_unnamed(root, *result.database, copier);
@@ -140,6 +157,40 @@ struct FileBytes {
     std::size_t size = 0;
 };
 
+/// An open file, closed with its owner.
+struct OpenFile {
+    int descriptor;
+    explicit OpenFile(const std::string& path) : descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    ~OpenFile() {
+        if (descriptor >= 0) close(descriptor);
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+};
+
+/// From `begin` on, all `bytes`; false if the file ends before, or cannot be read.
+bool read_part(int descriptor, std::uint8_t* to, std::size_t begin, std::size_t bytes) {
+    while (bytes != 0) {
+        const ssize_t got = pread(descriptor, to + begin, bytes, static_cast<off_t>(begin));
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        begin += static_cast<std::size_t>(got);
+        bytes -= static_cast<std::size_t>(got);
+    }
+    return true;
+}
+
+/// In parts, side by side.
+bool read_all(int descriptor, const FileBytes& bytes) {
+    constexpr std::size_t part = std::size_t{4} << 20U;
+    std::atomic<bool> whole = true;
+    tbb::parallel_for(std::size_t{0}, (bytes.size + part - 1) / part, [&](std::size_t i) {
+        if (!read_part(descriptor, bytes.data.get(), i * part, std::min(part, bytes.size - i * part)))
+            whole = false;
+    });
+    return whole;
+}
+
 /// Empty and `error` set if the file cannot be read.
 FileBytes read_file(const std::string& path, std::string& error) {
     std::error_code code;
@@ -154,8 +205,8 @@ FileBytes read_file(const std::string& path, std::string& error) {
         error = "it is not a regular file"; // opening a pipe would wait for ever
     }
     if (!error.empty()) return {};
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file) {
+    const OpenFile file(path);
+    if (file.descriptor < 0) {
         error = std::generic_category().message(errno);
         return {};
     }
@@ -166,20 +217,27 @@ FileBytes read_file(const std::string& path, std::string& error) {
     }
     FileBytes bytes{std::unique_ptr<std::uint8_t[]>(new std::uint8_t[size]), size};
     prefer_large_pages(bytes.data.get(), size);
-    if (std::fread(bytes.data.get(), 1, size, file.get()) != size)
-        error = "it became shorter while it was read";
+    if (!read_all(file.descriptor, bytes)) error = "it became shorter while it was read";
     return bytes;
 }
 
 } // namespace
 
 ReadResult decode_database(std::span<const std::uint8_t> file) {
-    std::uint64_t id = 0;
-    if (std::string reason = check_header(file, id); !reason.empty()) return refused(std::move(reason));
+    if (std::string reason = check_header(file); !reason.empty()) return refused(std::move(reason));
     const std::span<const std::uint8_t> payload = file.subspan(header_bytes);
-    if (reinterpret_cast<std::uintptr_t>(payload.data()) % alignment == 0) return decode_payload(payload, id);
-    const std::vector<std::uint8_t> aligned(payload.begin(), payload.end());
-    return decode_payload(aligned, id);
+    std::vector<std::uint8_t> aligned;
+    if (reinterpret_cast<std::uintptr_t>(payload.data()) % alignment != 0)
+        aligned.assign(payload.begin(), payload.end());
+    // Hashed while it is decoded, which takes any bytes; but whatever that finds, a wrong hash is what is told.
+    std::uint64_t id = 0;
+    std::string damaged;
+    ReadResult result;
+    tbb::parallel_invoke([&] { damaged = check_hash(file, id); },
+                         [&] { result = decode_payload(aligned.empty() ? payload : aligned); });
+    if (!damaged.empty()) return refused(std::move(damaged));
+    result.id = result.database ? id : 0;
+    return result;
 }
 
 ReadResult read_database(const std::string& path) {

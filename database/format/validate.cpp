@@ -2,7 +2,11 @@
 
 #include "database/format/validate_parts.h"
 
+#include <tbb/parallel_for.h>
+
 #include <array>
+#include <initializer_list>
+#include <utility>
 
 namespace linkdig::database {
 
@@ -109,12 +113,33 @@ std::string check_planes(const VisualDatabase& database) {
     return {};
 }
 
-std::string validate(const VisualDatabase& database) {
-    constexpr std::array checks = {check_names,  check_owners, check_details, check_vertices, check_faces,
-                                   check_lights, check_runs,   check_planes,  check_tiles,    check_trees};
-    for (const auto& check : checks)
+namespace {
+
+using Check = std::string (*)(const VisualDatabase&);
+
+std::string in_turn(const VisualDatabase& database, std::initializer_list<Check> checks) {
+    for (const Check check : checks)
         if (std::string reason = check(database); !reason.empty()) return reason;
     return {};
+}
+
+/// These follow no index that another of them finds in range. Of several reasons the first in their order is told.
+std::string side_by_side(const VisualDatabase& database) {
+    constexpr std::array<Check, 5> checks = {check_vertices, check_faces, check_lights, check_runs,
+                                             check_planes};
+    std::array<std::string, checks.size()> reasons;
+    tbb::parallel_for(std::size_t{0}, checks.size(),
+                      [&](std::size_t i) { reasons[i] = checks[i](database); });
+    for (std::string& reason : reasons)
+        if (!reason.empty()) return std::move(reason);
+    return {};
+}
+
+} // namespace
+
+std::string validate(const VisualDatabase& database) {
+    return in_turn(database,
+                   {check_names, check_owners, check_details, side_by_side, check_tiles, check_trees});
 }
 
 } // namespace linkdig::database

@@ -19,6 +19,8 @@ struct Diagnostic {
     std::string message; ///< what is wrong; what was expected
 };
 
+class KeyLog;
+
 class Diagnostics {
 public:
     void error(SourceLocation at, std::string message);
@@ -27,7 +29,12 @@ public:
     /// One line per mistake, `file:line:column: error: message`, in the order of file, line and column.
     std::string text() const;
 
+    /// Readers that tell their mistakes here note the keys that they ask for in this log; nothing: they note none.
+    void note_keys(KeyLog* log) { keys_ = log; }
+    KeyLog* keys() const { return keys_; }
+
 private:
+    KeyLog* keys_ = nullptr;
     std::vector<Diagnostic> errors_;
 };
 

@@ -1,5 +1,8 @@
 #include "database/text/table_reader.h"
 
+#include "database/text/key_log.h"
+#include "database/text/key_words.h"
+
 #include "database/text/value_reading.h"
 
 #include <fmt/format.h>
@@ -33,6 +36,24 @@ const toml::node* TableReader::find(std::string_view key) {
 
 const toml::node* TableReader::node(std::string_view key) { return find(key); }
 
+/// "[[object.box]]" of "[[object.box]] of [[object]] \"a\""; a sub-table's kind stands before: "repeat of ...".
+static std::string table_of(const std::string& what) {
+    const std::size_t begin = what.find('[');
+    if (begin == std::string::npos) return what;
+    const std::string table = what.substr(begin, what.find(' ', begin) - begin);
+    return begin == 0 ? table : what.substr(0, what.find(' ')) + " of " + table;
+}
+
+void TableReader::note(std::string_view key, std::string value, std::optional<std::string> fallback) const {
+    diagnostics_->keys()->note(table_of(what_), {std::string(key), std::move(value), std::move(fallback)});
+}
+
+void TableReader::describe(std::string_view key, std::string_view value,
+                           std::optional<std::string> fallback) {
+    known_.emplace(key);
+    if (noting() && !value.empty()) note(key, std::string(value), std::move(fallback));
+}
+
 void TableReader::missing(std::string_view key) const {
     diagnostics_->error(here(), fmt::format("{} lacks the key \"{}\"", what_, key));
 }
@@ -53,6 +74,7 @@ std::string TableReader::text_of(std::string_view key, const toml::node& found) 
 }
 
 std::string TableReader::text(std::string_view key) {
+    if (noting()) note(key, "text", {});
     const toml::node* found = find(key);
     if (found != nullptr) return text_of(key, *found);
     missing(key);
@@ -60,6 +82,7 @@ std::string TableReader::text(std::string_view key) {
 }
 
 std::string TableReader::text(std::string_view key, std::string_view fallback) {
+    if (noting()) note(key, "text", fallback.empty() ? "none" : fmt::format("\"{}\"", fallback));
     const toml::node* found = find(key);
     return found == nullptr ? std::string(fallback) : text_of(key, *found);
 }
@@ -77,6 +100,7 @@ double TableReader::number_of(std::string_view key, const toml::node& found, Ran
 }
 
 double TableReader::number(std::string_view key, Range range) {
+    if (noting()) note(key, "number" + words_of(range), {});
     const toml::node* found = find(key);
     if (found != nullptr) return number_of(key, *found, range, 1.0);
     missing(key);
@@ -84,6 +108,7 @@ double TableReader::number(std::string_view key, Range range) {
 }
 
 double TableReader::number(std::string_view key, double fallback, Range range) {
+    if (noting()) note(key, "number" + words_of(range), fmt::format("{:.6g}", fallback));
     const toml::node* found = find(key);
     return found == nullptr ? fallback : number_of(key, *found, range, 1.0);
 }
@@ -101,6 +126,7 @@ std::int64_t TableReader::integer_of(std::string_view key, const toml::node& fou
 }
 
 std::int64_t TableReader::integer(std::string_view key, std::int64_t least, std::int64_t greatest) {
+    if (noting()) note(key, words_of(least, greatest), {});
     const toml::node* found = find(key);
     if (found != nullptr) return integer_of(key, *found, least, greatest);
     missing(key);
@@ -109,11 +135,13 @@ std::int64_t TableReader::integer(std::string_view key, std::int64_t least, std:
 
 std::int64_t TableReader::integer(std::string_view key, std::int64_t fallback, std::int64_t least,
                                   std::int64_t greatest) {
+    if (noting()) note(key, words_of(least, greatest), fmt::format("{}", fallback));
     const toml::node* found = find(key);
     return found == nullptr ? fallback : integer_of(key, *found, least, greatest);
 }
 
 bool TableReader::boolean(std::string_view key, bool fallback) {
+    if (noting()) note(key, "true or false", fallback ? "true" : "false");
     const toml::node* found = find(key);
     if (found == nullptr) return fallback;
     if (const auto value = found->value_exact<bool>()) return *value;
@@ -123,6 +151,9 @@ bool TableReader::boolean(std::string_view key, bool fallback) {
 
 std::size_t TableReader::choice(std::string_view key, std::size_t fallback,
                                 const std::vector<std::string>& choices) {
+    if (noting())
+        note(key, fmt::format("\"{}\"", fmt::join(choices, "\" or \"")),
+             fmt::format("\"{}\"", choices.at(fallback)));
     const toml::node* found = find(key);
     if (found == nullptr) return fallback;
     const std::string listed = fmt::format("\"{}\"", fmt::join(choices, "\", \""));
@@ -139,6 +170,8 @@ std::size_t TableReader::choice(std::string_view key, std::size_t fallback,
 
 void TableReader::finish() {
     const std::vector<std::string> candidates(known_.begin(), known_.end());
+    for (const std::string& key : candidates)
+        if (noting() && !is_other_unit(key, known_)) note(key, undescribed, {});
     for (auto&& [key, value] : *table_) {
         if (known_.find(key.str()) != known_.end()) continue;
         const std::string closest = suggestion(key.str(), candidates);

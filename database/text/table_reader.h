@@ -73,7 +73,11 @@ public:
     std::vector<std::string> texts(std::string_view key);         ///< optional array of strings
     const toml::table* table(std::string_view key);               ///< optional sub-table
     std::vector<const toml::table*> tables(std::string_view key); ///< optional array of tables
-    const toml::node* node(std::string_view key);                 ///< any value, marked as known
+    /// Any value, marked as known. What it may be is for describe() to say, before.
+    const toml::node* node(std::string_view key);
+    /// Says in words what a key holds and what its absence means, where that is not what the reading call would say.
+    /// No value: the key of another unit, which is known but not listed.
+    void describe(std::string_view key, std::string_view value, std::optional<std::string> fallback);
 
     /// Reports every key that was never asked for, with the closest known one. Call once, last.
     void finish();
@@ -90,6 +94,8 @@ private:
         double unit = 1.0;
     };
     const toml::node* find(std::string_view key);
+    bool noting() const { return diagnostics_->keys() != nullptr; }
+    void note(std::string_view key, std::string value, std::optional<std::string> fallback) const;
     void missing(std::string_view key) const;
     void wrong_type(std::string_view key, const toml::node& found, std::string_view expected) const;
     std::string text_of(std::string_view key, const toml::node& found) const;
@@ -97,6 +103,8 @@ private:
     std::int64_t integer_of(std::string_view key, const toml::node& found, std::int64_t least,
                             std::int64_t greatest) const;
     std::optional<WithUnit> with_unit(std::string_view stem, const Units& units, bool required);
+    void note_with_units(std::string_view stem, const Units& units, std::string value,
+                         std::optional<std::string> fallback);
     double quantity(std::string_view stem, const Units& units, std::optional<double> fallback, Range range);
     template <int count>
     std::vector<glm::vec<count, double, glm::defaultp>> points_of(std::string_view stem);

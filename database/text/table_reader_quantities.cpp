@@ -2,6 +2,7 @@
 
 #include "database/model/mathematics.h"
 #include "database/model/units.h"
+#include "database/text/key_words.h"
 #include "database/text/table_reader.h"
 #include "database/text/value_reading.h"
 
@@ -72,8 +73,20 @@ std::optional<TableReader::WithUnit> TableReader::with_unit(std::string_view ste
     return result;
 }
 
+/// Under the first unit's key; the others are named with the value.
+void TableReader::note_with_units(std::string_view stem, const Units& units, std::string value,
+                                  std::optional<std::string> fallback) {
+    const auto whole = [&](std::size_t i) { return std::string(stem) + units[i].first; };
+    for (std::size_t i = 1; i < units.size(); ++i)
+        value += fmt::format("; or `{}`", whole(i));
+    note(whole(0), std::move(value), std::move(fallback));
+}
+
 double TableReader::quantity(std::string_view stem, const Units& units, std::optional<double> fallback,
                              Range range) {
+    if (noting())
+        note_with_units(stem, units, "number" + words_of(range),
+                        fallback ? std::optional(fmt::format("{:.6g}", *fallback)) : std::nullopt);
     const std::optional<WithUnit> found = with_unit(stem, units, !fallback);
     if (found) return number_of(found->key, *found->node, range, found->unit);
     return fallback ? *fallback : std::max(range.least, std::min(range.greatest, 0.0));
@@ -95,7 +108,17 @@ double TableReader::angle_rad(std::string_view stem, std::optional<double> fallb
     return radians(quantity(stem, {{"_deg", 1.0}}, fallback_deg, range_deg));
 }
 
+namespace {
+
+std::optional<std::string> words_of(const std::optional<Vec3d>& point) {
+    if (!point) return std::nullopt;
+    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", point->x, point->y, point->z);
+}
+
+} // namespace
+
 Vec3d TableReader::point_m(std::string_view stem, std::optional<Vec3d> fallback) {
+    if (noting()) note_with_units(stem, length_units(), "[x, y, z]", words_of(fallback));
     const std::optional<WithUnit> found = with_unit(stem, length_units(), !fallback);
     if (!found) return fallback.value_or(Vec3d(0.0));
     if (const auto point = point_of<3>(*found->node, found->unit)) return *point;
@@ -104,6 +127,7 @@ Vec3d TableReader::point_m(std::string_view stem, std::optional<Vec3d> fallback)
 }
 
 Vec3d TableReader::vector(std::string_view key, std::optional<Vec3d> fallback) {
+    if (noting()) note(key, "[x, y, z]", words_of(fallback));
     const toml::node* found = find(key);
     if (found == nullptr) {
         if (!fallback) missing(key);
@@ -117,6 +141,8 @@ Vec3d TableReader::vector(std::string_view key, std::optional<Vec3d> fallback) {
 template <int count>
 std::vector<glm::vec<count, double, glm::defaultp>> TableReader::points_of(std::string_view stem) {
     std::vector<Point<count>> points;
+    if (noting())
+        note_with_units(stem, length_units(), count == 3 ? "array of [x, y, z]" : "array of [x, y]", {});
     const std::optional<WithUnit> found = with_unit(stem, length_units(), true);
     if (!found) return points;
     const toml::array* array = found->node->as_array();
@@ -138,6 +164,7 @@ std::vector<Vec2d> TableReader::points2_m(std::string_view stem) { return points
 
 std::vector<std::string> TableReader::texts(std::string_view key) {
     std::vector<std::string> result;
+    if (noting()) note(key, "array of texts", "none");
     const toml::node* found = find(key);
     if (found == nullptr) return result;
     const toml::array* array = found->as_array();
@@ -155,6 +182,7 @@ std::vector<std::string> TableReader::texts(std::string_view key) {
 }
 
 const toml::table* TableReader::table(std::string_view key) {
+    if (noting()) note(key, "table", "none");
     const toml::node* found = find(key);
     if (found == nullptr) return nullptr;
     if (found->as_table() == nullptr) wrong_type(key, *found, "a table");
@@ -163,6 +191,7 @@ const toml::table* TableReader::table(std::string_view key) {
 
 std::vector<const toml::table*> TableReader::tables(std::string_view key) {
     std::vector<const toml::table*> result;
+    if (noting()) note(key, "array of tables", "none");
     const toml::node* found = find(key);
     if (found == nullptr) return result;
     const toml::array* array = found->as_array();

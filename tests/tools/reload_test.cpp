@@ -46,7 +46,7 @@ protected:
               "[scenario]\nname = \"f\"\ndatabase = \"" + database +
                   "\"\nduration_s = 9.0\n[suns.world]\nazimuth_deg = 200.0\nelevation_deg = 40.0\n"
                   "[[ship]]\nmoving_object = \"boat\"\nheading_deg = 30.0\nspeed_kt = 8.0\n"
-                  "[own_ship]\nkind = \"flown\"\nposition_m = [0, -60, 15]\n"
+                  "[own_ship]\nkind = \"flown\"\nposition_m = [0, -60, 15]\nheading_deg = 0.0\n"
                   "[[sequence]]\nslot = \"flag\"\ndwell_s = 0.1\n"
                   "[[channel]]\nname = \"ahead\"\nhorizontal_field_deg = 56.0\n");
         FlightRequest request;

@@ -109,6 +109,7 @@ private:
         prices_ = {};
         told_ = fmt::format("{} opened again: {} faces", flight_.database().name,
                             flight_.database().faces.size());
+        fmt::print(stderr, "{}\n", told_);
     }
     /// All of it goes where there is room for it, the first line on the screen.
     void refuse_database(const std::string& why) {

@@ -13,8 +13,8 @@ namespace {
 
 /// Half of the vertical field of view: narrow, so that shapes are hardly distorted.
 constexpr double half_field_deg = 14.0;
-/// How a subject that has no size of its own is seen: the sea, from a low helicopter.
-constexpr double tile_height_m = 30.0;
+/// How a sea or a field is seen: from a low helicopter over it.
+constexpr double low_height_m = 30.0;
 constexpr float finest = 16.0F; ///< of FramePacket::lod_bias
 
 /// Box of what is drawn of a cluster or a moving object.
@@ -55,8 +55,29 @@ PreviewSubject subject_of(const VisualDatabase& database, const std::string& nam
         if (database.lists[list].tile != none) ++subject.faces; // at least one, wherever the eye is
     }
     subject.centre_m = 0.5 * (bounds.low + bounds.high);
-    subject.radius_m = 0.5 * glm::length(bounds.high - bounds.low);
+    subject.half_extent_m = 0.5 * (bounds.high - bounds.low);
     return subject;
+}
+
+/// Flat and static: a sea without tiles, land. Seen as a whole it shows little.
+bool is_field(const PreviewSubject& subject) {
+    const Vec3d& half = subject.half_extent_m;
+    return subject.moving_object == none && half.z < 0.03 * std::min(half.x, half.y);
+}
+
+/// The least range along `outward` from the subject's middle at which all corners of its box lie inside the picture.
+double fitting_range(const PreviewSubject& subject, const Vec3d& outward, double up_tangent, double aspect) {
+    constexpr double margin = 1.1;
+    const Vec3d right = glm::normalize(Vec3d(-outward.y, outward.x, 0.0));
+    const Vec3d up = glm::cross(outward, right);
+    const Vec3d half = glm::max(subject.half_extent_m, Vec3d(0.5));
+    double range = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3d at = half * Vec3d(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        const double across = std::max(std::abs(glm::dot(at, right)) / aspect, std::abs(glm::dot(at, up)));
+        range = std::max(range, margin * across / up_tangent + glm::dot(at, outward));
+    }
+    return range;
 }
 
 Vec3f default_sun() { return Vec3f(direction(radians(35.0), radians(42.0))); }
@@ -96,13 +117,20 @@ FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject&
     packet.lod_bias = finest;
     const Vec3d outward = direction(radians(view.azimuth_deg), radians(view.elevation_deg));
     const double half = radians(half_field_deg);
-    const double radius = std::max(0.5, subject.radius_m);
-    const double nearest = radius / sine(half) * std::max(1.0, 1.0 / aspect);
     ChannelView channel;
-    channel.eye_m = subject.centre_m + nearest * outward;
-    if (subject.radius_m == 0) channel.eye_m = Vec3d(0.0, 0.0, tile_height_m) + 10.0 * outward;
-    const Vec3d aim =
-        subject.radius_m == 0 ? channel.eye_m - Vec3d(outward.x, outward.y, 0.12) : subject.centre_m;
+    channel.eye_m = subject.centre_m + fitting_range(subject, outward, tangent(half), aspect) * outward;
+    Vec3d aim = subject.centre_m;
+    if (is_field(subject) && view.elevation_deg < 60.0) {
+        const Vec3d level = glm::normalize(Vec3d(outward.x, outward.y, 0.0));
+        const double back_m =
+            std::min(300.0, 0.6 * std::min(subject.half_extent_m.x, subject.half_extent_m.y));
+        channel.eye_m =
+            subject.centre_m + Vec3d(0.0, 0.0, subject.half_extent_m.z + low_height_m) + back_m * level;
+        aim = channel.eye_m - Vec3d(level.x, level.y, 0.12);
+    } else if (subject.half_extent_m == Vec3d(0)) {
+        channel.eye_m = Vec3d(0.0, 0.0, low_height_m);
+        aim = channel.eye_m - Vec3d(outward.x, outward.y, view.elevation_deg < 60.0 ? 0.12 : outward.z);
+    }
     channel.attitude = host::looking_along(aim - channel.eye_m);
     channel.top_tangent = tangent(half);
     channel.bottom_tangent = -channel.top_tangent;

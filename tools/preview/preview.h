@@ -15,8 +15,8 @@ struct PreviewSubject {
     std::string name;
     std::int32_t moving_object = none; ///< or none: static
     Vec3d centre_m{0};                 ///< of its contents; of a moving object in its body frame
-    double radius_m = 0;               ///< of a sphere about the centre that holds them
-    std::uint32_t faces = 0;           ///< with the first alternative of each slot, and every level of detail
+    Vec3d half_extent_m{0};  ///< of the box about the centre that holds them; zero: no size of its own
+    std::uint32_t faces = 0; ///< with the first alternative of each slot, and every level of detail
 };
 
 /// In the database's order, moving objects first. Clusters around the eye, and those without faces, are no subjects; a

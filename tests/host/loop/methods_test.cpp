@@ -30,7 +30,8 @@ NameDirectory whole_directory() {
                    {"lph2.solid_bow_wake", 29},
                    {"lph2.v_wake", 3},
                    {"lph2.churn", 2},
-                   {"lph2.cam", 2}};
+                   {"lph2.cam", 2},
+                   {"lph2.lights", 2}};
     names.lists = {{"sea", 1, 0.35F, 0.65F}};
     names.clusters = {{"sea", 20, none, {}, {}},
                       {"lph2", 10, 0, {0, 0, 10}, {90, 13, 10}},
@@ -341,6 +342,38 @@ TEST(Methods, TheRecordedSignalsMakeTheSamePackets) {
         ASSERT_EQ(encode_packet(second.packet(frame, signals_of(flown))), encode_packet(flown)) << frame;
     }
     EXPECT_NE(first.packet(89, {}).channels[0].eye_m.y, 50.0);
+}
+
+TEST(Methods, LightsBurnFromDusk) {
+    const auto lights = [](ShipLights said, double hour) {
+        Scenario scenario = one_ship();
+        scenario.time_of_day_h = hour;
+        scenario.ships[0].methods.lights = said;
+        HostLoop loop(scenario, whole_directory(), 30.0);
+        return pointed(loop.packet(3, {}), "lph2.lights");
+    };
+    EXPECT_EQ(lights(ShipLights::from_dusk, 12.0), -1); // the slot stays empty
+    EXPECT_EQ(lights(ShipLights::from_dusk, 17.9), 1);
+    EXPECT_EQ(lights(ShipLights::from_dusk, 2.0), 1);
+    EXPECT_EQ(lights(ShipLights::on, 12.0), 1);
+    EXPECT_EQ(lights(ShipLights::off, 2.0), -1);
+}
+
+TEST(Methods, LightsThatTheShipHasNotAreTold) {
+    Scenario scenario = one_ship();
+    scenario.time_of_day_h = 2.0;
+    NameDirectory dark = whole_directory();
+    dark.slots.pop_back();
+    HostLoop unlit(scenario, dark, 30.0); // nothing to light is no mistake...
+    EXPECT_TRUE(unlit.packet(0, {}).substitutions.empty());
+    scenario.ships[0].methods.lights = ShipLights::on; // ...but then nobody may ask for it
+    try {
+        const HostLoop loop(scenario, dark, 30.0);
+        FAIL() << "not refused";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_THAT(error.what(),
+                    HasSubstr("\"lights\" cannot be shown: the database lacks the slot \"lph2.lights\""));
+    }
 }
 
 } // namespace
