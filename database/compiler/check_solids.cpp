@@ -69,12 +69,24 @@ private:
         }
         // Whichever way round encloses a volume is meant.
         const bool meant = six_volumes(part) < 0.0;
-        for (const std::size_t face : part)
-            if (turned_[face] != meant)
-                reading_.error(object_.faces[face].at,
-                               fmt::format("a face of object \"{}\" is turned against the other faces of its "
-                                           "solid; expected corners counter-clockwise seen from outside",
-                                           object_.name));
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> wrong;
+        for (const std::size_t face : part) {
+            const Place& at = object_.faces[face].at;
+            if (turned_[face] != meant) wrong[{at.line, at.column}].push_back(face);
+        }
+        for (const auto& [place, faces] : wrong)
+            tell_turned(faces);
+    }
+
+    /// One message for each shape, however many of its faces are turned.
+    void tell_turned(const std::vector<std::size_t>& faces) const {
+        const std::string who = faces.size() == 1 ? "a face" : fmt::format("{} faces", faces.size());
+        reading_.error(
+            object_.faces[faces.front()].at,
+            fmt::format("{} of object \"{}\" {} turned against the other faces of {} solid; expected "
+                        "corners counter-clockwise seen from outside",
+                        who, object_.name, faces.size() == 1 ? "is" : "are",
+                        faces.size() == 1 ? "its" : "their"));
     }
 
     /// Adds the neighbours of a face; false where an edge has not two faces.

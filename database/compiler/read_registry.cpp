@@ -126,6 +126,7 @@ private:
 
     /// 0 where there is none.
     static std::uint32_t read_edge_budget(TableReader& reader) {
+        reader.describe("edge_budget", "whole number, 1 to 1000000000", "none");
         return static_cast<std::uint32_t>(reader.integer("edge_budget", 0, 1, 1000000000));
     }
 

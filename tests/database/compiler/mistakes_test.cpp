@@ -3,6 +3,7 @@
 #include "tests/database/compiler/authored.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <ostream>
 
@@ -399,6 +400,15 @@ std::vector<Mistake> mistakes() {
          "root.toml:26:1: error: a face of object \"o\" is turned against the other faces of its solid; "
          "expected corners "
          "counter-clockwise seen from outside"},
+        {"LoftTurnedBetweenItsEnds",
+         object +
+             "vertices_m = { a = [4, 1, 0], b = [4, 0, 1], c = [4, -1, 0], d = [0, 1, 0], e = [0, 0, 1], "
+             "f = [0, -1, 0] }\n"
+             "[[object.face]]\ncorners = [\"a\", \"b\", \"c\"]\n[[object.face]]\ncorners = [\"f\", "
+             "\"e\", \"d\"]\n[[object.loft]]\nsections_m = [[[4, 1, 0], [4, 0, 1], [4, -1, 0], [4, 1, 0]], "
+             "[[0, 1, 0], [0, 0, 1], [0, -1, 0], [0, 1, 0]]]\n",
+         "root.toml:24:1: error: 3 faces of object \"o\" are turned against the other faces of their solid; "
+         "expected corners counter-clockwise seen from outside"},
     };
 }
 
@@ -423,7 +433,16 @@ TEST(MistakesTogether, AreToldAtOnce) {
         scene(object + "colr = 1\n" + disc + "[[colour]]\nname = \"grey\"\nrgb = [256, 0, 0]\n" +
               "[[object]]\nname = \"p\"\nlist = \"lost\"\n" + disc + "[[object_list]]\nname = \"n\"\n"));
     EXPECT_FALSE(result.database);
-    EXPECT_EQ(result.diagnostics.all().size(), 7U) << result.diagnostics.text();
+    const std::string told = messages(result);
+    for (const char* each :
+         {"root.toml:19: unknown key \"colr\" in [[object]] \"o\"",
+          "root.toml:23: the colour \"grey\" stands already", "root.toml:25: \"rgb\" holds 256",
+          "root.toml:28: no object list is named \"lost\"",
+          "root.toml:29: [[object.disc]] of [[object]] \"p\" has no colour",
+          "root.toml:32: [[object_list]] \"n\" lacks the key \"cluster\"",
+          "root.toml:32: [[object_list]] \"n\" lacks the key \"sun\""})
+        EXPECT_THAT(told, HasSubstr(each));
+    EXPECT_EQ(result.diagnostics.all().size(), 7U) << told;
 }
 
 /// Files that no text is: each is told and read no further.
@@ -450,11 +469,16 @@ TEST(MistakesOfFiles, AreToldByWhatTheFileIs) {
     EXPECT_THAT(said("a.toml"), HasSubstr("a.toml"));
     folder.write("c.toml", "include = [\"lost.toml\"]\n");
     EXPECT_THAT(said("c.toml"), HasSubstr("c.toml:1:12: error: "));
-    if (geteuid() != 0) { // root reads everything
-        folder.write("secret.toml", "");
-        std::filesystem::permissions(folder.path() + "/secret.toml", std::filesystem::perms::none);
-        EXPECT_THAT(said("secret.toml"), HasSubstr("ermission denied"));
-    }
+    folder.write("secret.toml", "");
+    std::filesystem::permissions(folder.path() + "/secret.toml", std::filesystem::perms::none);
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::others_all,
+                                 std::filesystem::perm_options::add);
+    const uid_t self = geteuid();
+    constexpr uid_t nobody = 65534;
+    ASSERT_EQ(self == 0 ? seteuid(nobody) : 0, 0); // root reads everything
+    const std::string secret = said("secret.toml");
+    ASSERT_EQ(self == 0 ? seteuid(self) : 0, 0);
+    EXPECT_THAT(secret, HasSubstr("secret.toml:0:0: error: cannot be read; check its permissions"));
 }
 
 } // namespace
