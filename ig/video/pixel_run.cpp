@@ -258,6 +258,15 @@ std::vector<std::string> simd_levels() {
     return levels;
 }
 
+std::vector<std::string> missing_simd_levels() {
+    std::vector<std::string> levels;
+    hwy::SetSupportedTargetsForTest(0);
+    const std::int64_t missing = HWY_TARGETS & ~static_cast<std::int64_t>(hwy::SupportedTargets());
+    for (std::int64_t target = 1; target > 0 && target <= missing; target <<= 1U)
+        if ((missing & target) != 0) levels.emplace_back(hwy::TargetName(target));
+    return levels;
+}
+
 bool use_simd_level(const std::string& level) {
     if (level == "scalar") {
         plain = true;

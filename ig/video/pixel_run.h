@@ -74,6 +74,9 @@ std::int32_t transmission_of(const DepthPlane& depth, const Air& air, std::int32
 /// SIMD levels of this build that the machine has, best first; the last is always "scalar".
 std::vector<std::string> simd_levels();
 
+/// SIMD levels of this build that the machine lacks.
+std::vector<std::string> missing_simd_levels();
+
 /// Uses this level from now on ("" or "best": the best there is). False if the machine lacks it; then nothing
 /// changes.
 bool use_simd_level(const std::string& level);
