@@ -7,6 +7,16 @@ target_compile_options(linkdig_flags INTERFACE
     -ffp-contract=off -fno-fast-math -fno-math-errno
     # g++ 12 loses the rounding of (double)(float)x when its SLP vectoriser takes neighbouring components in pairs.
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+# A build that watches itself: "address,undefined" or "thread".
+set(LINKDIG_SANITIZE "" CACHE STRING "Sanitizers of the whole build, as -fsanitize takes them")
+if(LINKDIG_SANITIZE)
+    target_compile_options(linkdig_flags INTERFACE
+        -fsanitize=${LINKDIG_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(linkdig_flags INTERFACE -fsanitize=${LINKDIG_SANITIZE})
+endif()
+if(LINKDIG_FUZZ) # what the fuzzers look at tells them which way it went
+    target_compile_options(linkdig_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 target_compile_definitions(linkdig_flags INTERFACE GLM_FORCE_PURE GLM_FORCE_CTOR_INIT)
 target_include_directories(linkdig_flags INTERFACE ${CMAKE_SOURCE_DIR})
 target_include_directories(linkdig_flags SYSTEM INTERFACE ${CMAKE_BINARY_DIR}/generated) # not ours to tidy

@@ -22,7 +22,7 @@ demo_packages=(
     libsdl2-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
 )
 test_packages=(
-    libgtest-dev libgmock-dev assimp-testmodels clang clang-format clang-tidy python3
+    libgtest-dev libgmock-dev assimp-testmodels clang libclang-rt-dev clang-format clang-tidy python3
     xvfb xdotool ffmpeg openimageio-tools chromium
 )
 

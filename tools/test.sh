@@ -2,8 +2,9 @@
 # Installs what is missing, builds, and runs the tests. Stops at the first preset that fails, so that ctest's closing
 # lines are the last output and tell the truth.
 #
-#   tools/test.sh          the machine's hashes under g++ Debug, clang++ Release and clang++ Debug, then every test
-#                          of the g++ Release build, with format check and clang-tidy of the machine
+#   tools/test.sh          the machine's hashes under g++ Debug, clang++ Release and clang++ Debug; damaged files and three
+#                          fuzzers under the address and undefined-behaviour sanitizers, threads under the thread sanitizer;
+#                          then every test of the g++ Release build, with format check and clang-tidy of the machine
 #   tools/test.sh --all    the same with every test in every preset, the long ones too, and clang-tidy of everything
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -13,8 +14,8 @@ all=no
 case ${1:-} in
 '') ;;
 --all) all=yes ;;
--h | --help) sed -n '5,7s/^# \{0,3\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
-*) sed -n '5,7s/^# \{0,3\}//p' "${BASH_SOURCE[0]}" >&2 && exit 2 ;;
+-h | --help) sed -n '5,8s/^# \{0,3\}//p' "${BASH_SOURCE[0]}" && exit 0 ;;
+*) sed -n '5,8s/^# \{0,3\}//p' "${BASH_SOURCE[0]}" >&2 && exit 2 ;;
 esac
 
 tools/setup.sh test
@@ -47,6 +48,22 @@ for preset in gcc-debug clang-release clang-debug; do
         ctest --preset "$preset" -j "$jobs"
     fi
 done
+
+# The sanitizers: the short form builds only what it runs.
+if [[ $all == yes ]]; then
+    for preset in asan tsan; do
+        build "$preset" all
+        headline "$preset: every test"
+        ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$jobs"
+    done
+else
+    build asan database_test fuzz_test write_seeds fuzz_packet_bytes fuzz_packet_json fuzz_database_file
+    headline "asan: damaged files, fuzzers"
+    ctest --preset asan -j "$jobs"
+    build tsan determinism_test
+    headline "tsan: threads"
+    ctest --preset tsan -j "$jobs"
+fi
 
 build release all
 headline "release: every test"

@@ -18,7 +18,7 @@ namespace linkdig::database {
 
 namespace {
 
-constexpr double most_squares = 1000000;
+constexpr double most_strip_squares = 1000000;
 
 struct Strip {
     std::vector<Vec2d> left, right; ///< its rims, metres, from its start to its end
@@ -116,9 +116,9 @@ Strip read_strip(TableReader& reader) {
                         glm::distance(strip.left.back(), strip.right.back());
     const double along = std::floor(0.5 * (length_of(strip.left) + length_of(strip.right)) / square_m + 0.5);
     const double across = std::floor(0.5 * ends / square_m + 0.5);
-    if (std::max(along, 1.0) * std::max(across, 1.0) > most_squares) {
+    if (std::max(along, 1.0) * std::max(across, 1.0) > most_strip_squares) {
         reader.error_at("square_m", fmt::format("{} makes more than {} squares; expected larger ones",
-                                                reader.what(), most_squares));
+                                                reader.what(), most_strip_squares));
         return strip;
     }
     strip.along = static_cast<std::size_t>(std::max(along, 1.0));

@@ -6,6 +6,7 @@
 #include "ig/edges/edges.h"
 #include "ig/geometry/project.h"
 #include "ig/lights/splat.h"
+#include "ig/machine/fork_join.h"
 #include "ig/machine/load.h"
 #include "ig/priority/prioritise.h"
 #include "ig/scanline/bands.h"
@@ -197,12 +198,18 @@ struct Machine::State {
                 draw_one(band, workers[0]);
             return;
         }
+        ForkJoin threads;
+        threads.begin();
         arena.execute([&] {
             tbb::parallel_for(0U, bands, [&](std::uint32_t band) {
-                draw_one(band,
-                         workers[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())]);
+                BandWorker& worker =
+                    workers[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
+                threads.enter(&worker);
+                draw_one(band, worker);
+                threads.leave(&worker);
             });
         });
+        threads.end();
     }
 
     static void tell(const Channel& channel, ChannelReport& counts) {
