@@ -67,8 +67,9 @@ void expect_same_faces(const VisualDatabase& database, const FramePacket& packet
                        Agreement& agreement) {
     Configuration configuration;
     configuration.raster = raster;
+    History history;
     ActiveDatabase active;
-    activate(database, packet, configuration, active);
+    activate(database, packet, configuration, history, active);
     PriorityScratch priority_scratch;
     PriorityOrder order;
     prioritise(active, packet.channels[0], priority_scratch, order);
