@@ -1,6 +1,8 @@
 #pragma once
-/// Tells the thread sanitizer how the bands' threads are forked and joined: TBB is not built with it, so it would see none of
-/// TBB's own synchronisation and take every hand-over for a race. Without the sanitizer nothing is left of it.
+/// The one fork and join of a frame: pieces of work shared among the threads of an arena.
+///
+/// TBB's library is not built with the thread sanitizer, which would see none of its synchronisation and take every hand-over
+/// for a race. Under the sanitizer plain threads do the same work instead, and races in the pieces are told.
 
 #if defined(__has_feature)
 #if __has_feature(thread_sanitizer)
@@ -9,39 +11,40 @@
 #endif
 
 #ifdef LINKDIG_THREAD_SANITIZER
-extern "C" void __tsan_acquire(void* address);
-extern "C" void __tsan_release(void* address);
+#include <atomic>
+#include <thread>
+#include <vector>
+#else
+#include <tbb/parallel_for.h>
 #endif
+
+#include <tbb/task_arena.h>
+
+#include <cstdint>
 
 namespace linkdig::ig {
 
-/// What was done before release(p) is seen after acquire(p).
-inline void release([[maybe_unused]] void* place) {
+/// Calls work(piece, thread) once for each piece in [0, pieces), thread < the arena's size. What was done before is seen by
+/// all pieces, and what they do by whatever comes after; pieces see nothing of each other, unless they run on the same thread.
+template <typename Work>
+void fork_join(tbb::task_arena& arena, std::uint32_t pieces, const Work& work) {
 #ifdef LINKDIG_THREAD_SANITIZER
-    __tsan_release(place);
+    std::atomic<std::uint32_t> next{0};
+    std::vector<std::thread> threads;
+    for (std::uint32_t thread = 0; thread < static_cast<std::uint32_t>(arena.max_concurrency()); ++thread)
+        threads.emplace_back([&next, &work, pieces, thread] {
+            for (std::uint32_t piece = next++; piece < pieces; piece = next++)
+                work(piece, thread);
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+#else
+    arena.execute([&] {
+        tbb::parallel_for(0U, pieces, [&](std::uint32_t piece) {
+            work(piece, static_cast<std::uint32_t>(tbb::this_task_arena::current_thread_index()));
+        });
+    });
 #endif
 }
-inline void acquire([[maybe_unused]] void* place) {
-#ifdef LINKDIG_THREAD_SANITIZER
-    __tsan_acquire(place);
-#endif
-}
-
-/// One parallel loop: the bodies see what came before it, and what comes after sees them; bodies see nothing of each other,
-/// unless they run on the same worker.
-struct ForkJoin {
-    char fork = 0;
-    char join = 0;
-    void begin() { release(&fork); }
-    void enter(void* worker) {
-        acquire(&fork);
-        acquire(worker);
-    }
-    void leave(void* worker) {
-        release(worker);
-        release(&join);
-    }
-    void end() { acquire(&join); }
-};
 
 } // namespace linkdig::ig

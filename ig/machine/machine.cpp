@@ -14,7 +14,6 @@
 #include "ig/video/video.h"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -198,18 +197,8 @@ struct Machine::State {
                 draw_one(band, workers[0]);
             return;
         }
-        ForkJoin threads;
-        threads.begin();
-        arena.execute([&] {
-            tbb::parallel_for(0U, bands, [&](std::uint32_t band) {
-                BandWorker& worker =
-                    workers[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
-                threads.enter(&worker);
-                draw_one(band, worker);
-                threads.leave(&worker);
-            });
-        });
-        threads.end();
+        fork_join(arena, bands,
+                  [&](std::uint32_t band, std::uint32_t thread) { draw_one(band, workers[thread]); });
     }
 
     static void tell(const Channel& channel, ChannelReport& counts) {
