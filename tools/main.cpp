@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
     linkdig::tools::add_record(app, exit_code);
     linkdig::tools::add_replay(app, exit_code);
     linkdig::tools::add_convert(app, exit_code);
+    linkdig::tools::add_wake(app, exit_code);
     linkdig::tools::add_why(app, exit_code);
     linkdig::tools::add_check(app, exit_code);
     linkdig::tools::add_compare(app, exit_code);

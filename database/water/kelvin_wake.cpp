@@ -1,0 +1,202 @@
+#include "database/water/kelvin_wake.h"
+
+#include "database/model/mathematics.h"
+#include "database/water/kelvin_curve.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace linkdig::database {
+
+namespace {
+
+/// Samples of neighbouring curves are shifted against each other, so that they do not line up: the curve of number k by
+/// so many eighths of a sample (van der Corput's order).
+constexpr std::array<int, 8> shifts{0, 4, 2, 6, 1, 5, 3, 7};
+
+/// Samples of the curve of psi = 1.
+struct Shape {
+    struct Sample {
+        double two_cosine = 2.0; ///< s' / psi
+        double ahead = 1.0;      ///< cos^3 u, along T from P(s')
+        double right = 0.0;      ///< sin u cos^2 u, along -N
+        double weight = 1.0;     ///< length that the sample stands for; 1 in the column's way
+    };
+    std::array<std::vector<Sample>, shifts.size()> samples;
+};
+
+Shape::Sample sample_at(double u, double weight) {
+    const CurvePlace at = curve_place(u);
+    const double square = at.cosine * at.cosine;
+    return {2.0 * at.cosine, square * at.cosine, at.sine * square, weight};
+}
+
+/// What is left of a wave that is so many cells long: the grid cannot hold one under two, and shows four as it is.
+double kept_on_grid(double cells_long) {
+    const double t = std::clamp(0.5 * (cells_long - 2.0), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+/// Length that a sample at u stands for, times what the grid keeps of its wave: it runs u off the swimmer's way, and is
+/// cos^2 u times as long as the transverse waves.
+double weight_at(double u, KelvinSampling sampling, std::uint32_t steps, double cells_long) {
+    if (sampling == KelvinSampling::column) return 1.0;
+    const double square = cosine(u) * cosine(u);
+    const double stands_for =
+        sampling == KelvinSampling::even ? kelvin_total_length() : pi * std::fabs(3.0 * square - 2.0);
+    return stands_for / steps * kept_on_grid(cells_long * square);
+}
+
+/// Each sample has its mirror image on the other side. `cells_long`: length of the transverse waves.
+Shape shape_of(KelvinSampling sampling, std::uint32_t steps, double cells_long) {
+    Shape shape;
+    const std::uint32_t half = (steps + 1) / 2;
+    for (std::size_t shift = 0; shift < shifts.size(); ++shift) {
+        const double first = sampling == KelvinSampling::column ? 0.5 : (shifts[shift] + 0.5) / shifts.size();
+        for (std::uint32_t i = 0; i < half; ++i) {
+            const double share = 0.5 + 0.5 * (i + first) / half;
+            const double u = sampling == KelvinSampling::even ? kelvin_u_at(share) : pi * (share - 0.5);
+            const double weight = weight_at(u, sampling, 2 * half, cells_long);
+            if (!(weight > 0.0)) continue;
+            shape.samples[shift].push_back(sample_at(u, weight));
+            shape.samples[shift].push_back(sample_at(-u, weight));
+        }
+    }
+    return shape;
+}
+
+/// Length of the transverse waves, in cells: 2 pi U / c.
+double transverse_cells(const KelvinWakes& wakes, const KelvinSwimmer& swimmer) {
+    if (swimmer.oscillation_rad_s <= 0.0) return 1e9; // it does not oscillate: no wave, and nothing too short
+    return two_pi * swimmer.speed / swimmer.oscillation_rad_s * wakes.size / wakes.side;
+}
+
+std::uint64_t curves_of(const KelvinWakes& wakes, double length) {
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(length * wakes.psi_per_unit + 0.5));
+}
+
+double length_of(const KelvinSwimmer& swimmer) {
+    return sample_path(swimmer.path, 1e30, 0.0).length; // one sample, at the end
+}
+
+/// One swimmer's curves.
+class Sweep {
+public:
+    Sweep(const KelvinWakes& wakes, const KelvinSwimmer& swimmer)
+        : wakes_(wakes), swimmer_(swimmer),
+          shape_(shape_of(wakes.sampling, wakes.u_steps, transverse_cells(wakes, swimmer))),
+          length_(length_of(swimmer)) {
+        const double cell = wakes.side / wakes.size;
+        path_ = sample_path(swimmer.path, std::min(0.125 * cell, length_ / 64.0), 2.0 * length_ + cell);
+        per_step_ = 1.0 / path_.step;
+        dpsi_ = length_ / static_cast<double>(curves_of(wakes, length_));
+        farthest_ = wakes.before == KelvinBefore::rest ? length_ : 2.0 * length_;
+        per_cell_area_ = dpsi_ / (cell * cell);
+    }
+
+    std::uint64_t curves() const { return curves_of(wakes_, length_); }
+
+    /// Curve number k, in the middle of its share of psi. Returns the samples beyond the grid.
+    std::uint64_t draw(std::uint64_t k, SplatGrid& grid) const {
+        const double psi = (static_cast<double>(k) + 0.5) * dpsi_;
+        const double t = psi / swimmer_.speed;
+        const double decay = swimmer_.damping_per_s * t;
+        const double height =
+            swimmer_.amplitude * cosine(swimmer_.oscillation_rad_s * t) * exponential(-decay * decay);
+        const bool alike = wakes_.sampling == KelvinSampling::column;
+        const double amount = SplatGrid::one * height * (alike ? 1.0 : psi * per_cell_area_);
+        const auto& samples = shape_.samples[alike ? 0 : k % shifts.size()];
+        return wakes_.layout == KelvinLayout::rays ? rays(psi, amount, samples, grid)
+                                                   : along_tangent(psi, amount, samples, grid);
+    }
+
+private:
+    struct Place {
+        Vec2d point;
+        Vec2d tangent;
+    };
+    Place at(double s) const {
+        const double steps = s * per_step_;
+        const auto i = static_cast<std::size_t>(steps);
+        const double f = steps - static_cast<double>(i);
+        return {path_.points[i] + f * (path_.points[i + 1] - path_.points[i]),
+                path_.tangents[i] + f * (path_.tangents[i + 1] - path_.tangents[i])};
+    }
+
+    std::uint64_t rays(double psi, double amount, const std::vector<Shape::Sample>& samples,
+                       SplatGrid& grid) const {
+        std::uint64_t outside = 0;
+        for (const Shape::Sample& sample : samples) {
+            const double s = psi * sample.two_cosine;
+            if (s > farthest_) continue;
+            const Place from = at(s);
+            const double ahead = psi * sample.ahead;
+            const double right = psi * sample.right;
+            const double x = from.point.x + ahead * from.tangent.x + right * from.tangent.y;
+            const double y = from.point.y + ahead * from.tangent.y - right * from.tangent.x;
+            if (!grid.add(x, y, amount * sample.weight)) ++outside;
+        }
+        return outside;
+    }
+
+    std::uint64_t along_tangent(double psi, double amount, const std::vector<Shape::Sample>& samples,
+                                SplatGrid& grid) const {
+        std::uint64_t outside = 0;
+        const Place middle = at(psi);
+        for (const Shape::Sample& sample : samples) {
+            const double ahead =
+                psi * (1.0 - sample.two_cosine + sample.ahead); // K(psi, 0) falls on the path
+            const double right = psi * sample.right;
+            const double x = middle.point.x + ahead * middle.tangent.x + right * middle.tangent.y;
+            const double y = middle.point.y + ahead * middle.tangent.y - right * middle.tangent.x;
+            if (!grid.add(x, y, amount * sample.weight)) ++outside;
+        }
+        return outside;
+    }
+
+    const KelvinWakes& wakes_;
+    const KelvinSwimmer& swimmer_;
+    Shape shape_;
+    double length_ = 0.0;
+    SampledPath path_;
+    double per_step_ = 0.0;
+    double dpsi_ = 0.0;
+    double farthest_ = 0.0;
+    double per_cell_area_ = 0.0;
+};
+
+} // namespace
+
+double sample_count(const KelvinWakes& wakes) {
+    double count = 0.0;
+    for (const KelvinSwimmer& swimmer : wakes.swimmers)
+        count += (length_of(swimmer) * wakes.psi_per_unit + 1.0) * wakes.u_steps;
+    return count;
+}
+
+KelvinResult kelvin_field(const KelvinWakes& wakes) {
+    const SplatGrid empty(wakes.size, wakes.side / wakes.size, wakes.origin);
+    tbb::enumerable_thread_specific<SplatGrid> grids(empty);
+    KelvinResult result;
+    for (const KelvinSwimmer& swimmer : wakes.swimmers) {
+        const Sweep sweep(wakes, swimmer);
+        tbb::enumerable_thread_specific<std::uint64_t> outside(0U);
+        tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, sweep.curves(), 32), [&](const auto& curves) {
+            SplatGrid& grid = grids.local();
+            for (std::uint64_t k = curves.begin(); k != curves.end(); ++k)
+                outside.local() += sweep.draw(k, grid);
+        });
+        result.swimmers.push_back({sweep.curves() * wakes.u_steps, outside.combine(std::plus<>())});
+    }
+    SplatGrid sum = empty;
+    for (const SplatGrid& grid : grids)
+        sum.add(grid);
+    result.field = sum.field();
+    return result;
+}
+
+} // namespace linkdig::database
