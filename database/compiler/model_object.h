@@ -79,7 +79,7 @@ struct MeshFiles {
 };
 
 /// Objects in the order of their files: [[object]]s, then [[mesh]]es, then [[sequence]]s, then
-/// [[churn]]s, [[mounds]] and [[patchwork]]s.
+/// [[churn]]s, [[mounds]], [[patchwork]]s and [[wake_field]]s.
 std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Reading& reading,
                                       MeshFiles& meshes);
 /// One object per alternative of the slot, its shape between the key shapes before and after (report, 3.2.2).
@@ -92,6 +92,9 @@ void read_churn(AuthoredTable table, const Reading& reading, std::vector<ModelOb
 void read_mounds(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
 /// A patchwork of fields on flat ground as one object.
 void read_patchwork(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects);
+/// Flat water with the wakes of a specification, as one object of smooth squares. Paths that were to be read go to `tried`.
+void read_wake_field(AuthoredTable table, const Reading& reading, std::vector<ModelObject>& objects,
+                     std::vector<std::string>& tried);
 /// Most faces of a field, without outlines.
 inline constexpr std::uint32_t most_mound_faces = 100000;
 

@@ -398,6 +398,8 @@ std::vector<ModelObject> read_objects(const AuthoredTables& tables, const Readin
         read_mounds(each, reading, objects);
     for (const AuthoredTable each : tables.patchworks)
         read_patchwork(each, reading, objects);
+    for (const AuthoredTable each : tables.wake_fields)
+        read_wake_field(each, reading, objects, meshes.tried);
     NameTable names("object");
     for (const ModelObject& object : objects)
         names.add(object.name, object.at, *reading.sources, *reading.diagnostics);

@@ -121,6 +121,7 @@ void gather_file(const Sources& sources, std::uint16_t file, AuthoredTables& tab
     gather("churn", tables.churns);
     gather("mounds", tables.mounds);
     gather("patchwork", tables.patchworks);
+    gather("wake_field", tables.wake_fields);
     gather("tile", tables.tiles);
     gather("detail", tables.details);
     reader.finish();

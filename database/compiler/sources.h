@@ -42,7 +42,7 @@ struct AuthoredTable {
 struct AuthoredTables {
     std::optional<AuthoredTable> database;
     std::vector<AuthoredTable> colours, suns, moving_objects, slots, clusters, cluster_planes, group_planes,
-        lists, objects, meshes, sequences, churns, mounds, patchworks, tiles, details;
+        lists, objects, meshes, sequences, churns, mounds, patchworks, wake_fields, tiles, details;
 };
 
 AuthoredTables gather_tables(const Sources& sources, Diagnostics& diagnostics);
