@@ -63,6 +63,8 @@ TEST(WakeSpec, EveryShippedOneMakesWaves) {
     std::size_t specs = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(LINKDIG_SOURCE_DIR "/database/scenes/wakes/kelvin")) {
+        const std::string name = entry.path().stem().string();
+        if (!name.starts_with("figure") || name.find("_") != std::string::npos) continue;
         SCOPED_TRACE(entry.path().filename().string());
         Diagnostics diagnostics;
         auto spec = read_wake_spec(entry.path().string(), diagnostics);

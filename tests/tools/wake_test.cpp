@@ -1,0 +1,65 @@
+#include "tests/tools/command.h"
+#include "tools/subcommands.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+namespace linkdig::tools {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string star = LINKDIG_SOURCE_DIR "/database/scenes/wakes/kelvin/figure22.toml";
+
+TEST(Wake, WritesFieldAndGreyImage) {
+    const TemporaryFolder folder;
+    const std::string field = folder.file("star.exr");
+    const Outcome outcome = run("wake " + star + " -o " + field + " --png --size 96 --json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+    const nlohmann::json told = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(told["cells"], 96);
+    EXPECT_EQ(told["swimmers"].size(), 5U);
+    EXPECT_GT(told["rms"], 0.1);
+    const auto file = OIIO::ImageInput::open(field);
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->spec().width, 96);
+    EXPECT_EQ(file->spec().format, OIIO::TypeDesc::FLOAT);
+    std::vector<float> heights(96U * 96U);
+    ASSERT_TRUE(file->read_image(OIIO::TypeDesc::FLOAT, heights.data()));
+    // A boat swims up: its tip is the first row of the picture that is not still, in its middle.
+    const auto first =
+        std::ranges::find_if(heights, [](float h) { return std::abs(h) > 0.5F; }) - heights.begin();
+    EXPECT_LT(first / 96, 10);
+    EXPECT_NEAR(static_cast<double>(first % 96), 47.5, 3.0);
+    EXPECT_TRUE(std::filesystem::exists(folder.file("star.png")));
+    const Outcome again = run("wake " + star + " -o " + folder.file("b.exr") + " --size 96");
+    EXPECT_EQ(bytes_of(field), bytes_of(folder.file("b.exr")));
+    EXPECT_THAT(again.output, HasSubstr("million samples"));
+}
+
+TEST(Wake, MistakesAndPathsThatLeaveTheField) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run("wake " + star + " -o " + folder.file("a.png")).exit_code, 2);
+    EXPECT_EQ(run("wake " + folder.file("none.toml") + " -o " + folder.file("a.exr")).exit_code, 2);
+    const std::string spec = folder.file("spec.toml");
+    std::ofstream(spec)
+        << "[field]\ncells = 32\nside_m = 8.0\n[[swimmer]]\nname = \"boat\"\nspeed_mps = 0.0\n";
+    const Outcome bad = run("wake " + spec + " -o " + folder.file("a.exr"));
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_THAT(bad.errors, HasSubstr(spec + ":6:13: error: "));
+    EXPECT_FALSE(std::filesystem::exists(folder.file("a.exr")));
+    std::ofstream(spec)
+        << "[field]\ncells = 32\nside_m = 8.0\n[[swimmer]]\nname = \"boat\"\nspeed_mps = 1.0\n"
+           "[[swimmer.path]]\nkind = \"line\"\npoints_m = [[1.0, 4.0], [14.0, 4.0]]\n";
+    const Outcome outside = run("wake " + spec + " -o " + folder.file("a.exr"));
+    EXPECT_EQ(outside.exit_code, 0);
+    EXPECT_THAT(outside.errors, HasSubstr("% of the wake of \"boat\" lies beyond the field and is left out"));
+    EXPECT_EQ(run("wake " + star + " --size 64 -o /nowhere/a.exr").exit_code, 3);
+}
+
+} // namespace
+} // namespace linkdig::tools
