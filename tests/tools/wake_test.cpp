@@ -29,7 +29,7 @@ TEST(Wake, WritesFieldAndGreyImage) {
     EXPECT_EQ(file->spec().width, 96);
     EXPECT_EQ(file->spec().format, OIIO::TypeDesc::FLOAT);
     std::vector<float> heights(96U * 96U);
-    ASSERT_TRUE(file->read_image(OIIO::TypeDesc::FLOAT, heights.data()));
+    ASSERT_TRUE(file->read_image(0, 0, 0, 1, OIIO::TypeDesc::FLOAT, heights.data()));
     // A boat swims up: its tip is the first row of the picture that is not still, in its middle.
     const auto first =
         std::ranges::find_if(heights, [](float h) { return std::abs(h) > 0.5F; }) - heights.begin();
