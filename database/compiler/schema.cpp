@@ -74,6 +74,7 @@ slot = "slot"
 [[mounds]]
 outline_colour = "c"
 [[patchwork]]
+[[wake_field]]
 [[tile]]
 list = "t"
 pattern = "random"
