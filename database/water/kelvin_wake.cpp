@@ -83,11 +83,25 @@ double length_of(const KelvinSwimmer& swimmer) {
     return sample_path(swimmer.path, 1e30, 0.0).length; // one sample, at the end
 }
 
+/// A unit of height in fixed point: as large a power of two as lets every sample of all swimmers fall into one cell.
+double fixed_point_one(const KelvinWakes& wakes) {
+    double greatest = 1.0;
+    for (const KelvinSwimmer& swimmer : wakes.swimmers) {
+        const double length = length_of(swimmer);
+        const double cells = length * wakes.size / wakes.side;
+        const double samples = static_cast<double>(curves_of(wakes, length)) * (wakes.u_steps + 1.0);
+        greatest +=
+            std::fabs(swimmer.amplitude) *
+            (wakes.sampling == KelvinSampling::column ? samples : kelvin_total_length() * cells * cells);
+    }
+    return std::ldexp(1.0, 61 - std::ilogb(greatest));
+}
+
 /// One swimmer's curves.
 class Sweep {
 public:
-    Sweep(const KelvinWakes& wakes, const KelvinSwimmer& swimmer)
-        : wakes_(wakes), swimmer_(swimmer),
+    Sweep(const KelvinWakes& wakes, const KelvinSwimmer& swimmer, double one)
+        : one_(one), wakes_(wakes), swimmer_(swimmer),
           shape_(shape_of(wakes.sampling, wakes.u_steps, transverse_cells(wakes, swimmer))),
           length_(length_of(swimmer)) {
         const double cell = wakes.side / wakes.size;
@@ -108,7 +122,7 @@ public:
         const double height =
             swimmer_.amplitude * cosine(swimmer_.oscillation_rad_s * t) * exponential(-decay * decay);
         const bool alike = wakes_.sampling == KelvinSampling::column;
-        const double amount = SplatGrid::one * height * (alike ? 1.0 : psi * per_cell_area_);
+        const double amount = one_ * height * (alike ? 1.0 : psi * per_cell_area_);
         const auto& samples = shape_.samples[alike ? 0 : k % shifts.size()];
         return wakes_.layout == KelvinLayout::rays ? rays(psi, amount, samples, grid)
                                                    : along_tangent(psi, amount, samples, grid);
@@ -158,6 +172,7 @@ private:
         return outside;
     }
 
+    double one_;
     const KelvinWakes& wakes_;
     const KelvinSwimmer& swimmer_;
     Shape shape_;
@@ -179,11 +194,12 @@ double sample_count(const KelvinWakes& wakes) {
 }
 
 KelvinResult kelvin_field(const KelvinWakes& wakes) {
-    const SplatGrid empty(wakes.size, wakes.side / wakes.size, wakes.origin);
+    const double one = fixed_point_one(wakes);
+    const SplatGrid empty(wakes.size, wakes.side / wakes.size, wakes.origin, one);
     tbb::enumerable_thread_specific<SplatGrid> grids(empty);
     KelvinResult result;
     for (const KelvinSwimmer& swimmer : wakes.swimmers) {
-        const Sweep sweep(wakes, swimmer);
+        const Sweep sweep(wakes, swimmer, one);
         tbb::enumerable_thread_specific<std::uint64_t> outside(0U);
         tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, sweep.curves(), 32), [&](const auto& curves) {
             SplatGrid& grid = grids.local();

@@ -35,7 +35,7 @@ WaveField SplatGrid::field() const {
     WaveField field{static_cast<std::uint32_t>(size_), cell_, origin_, {}};
     field.heights.reserve(sums_.size());
     for (const std::int64_t sum : sums_)
-        field.heights.push_back(static_cast<float>(static_cast<double>(sum) / one));
+        field.heights.push_back(static_cast<float>(static_cast<double>(sum) / one_));
     return field;
 }
 

@@ -19,13 +19,12 @@ struct WaveField {
 /// Bilinear splats into a grid, in fixed point: the sum does not depend on the order, so threads do not change it.
 class SplatGrid {
 public:
-    /// One unit of height is 2^36: a cell takes 10^8 samples of the greatest amplitude.
-    static constexpr double one = 68719476736.0;
+    /// `one`: what a unit of height is held as, a power of two; all that may come together in a cell must stay under 2^62.
+    SplatGrid(std::uint32_t size, double cell, const Vec2d& origin, double one)
+        : size_(size), cell_(cell), per_cell_(1.0 / cell), origin_(origin), one_(one),
+          sums_(std::size_t{size} * size) {}
 
-    SplatGrid(std::uint32_t size, double cell, const Vec2d& origin)
-        : size_(size), cell_(cell), per_cell_(1.0 / cell), origin_(origin), sums_(std::size_t{size} * size) {}
-
-    /// Adds `amount` (units of height times `one`) to the four cells around the point by their distance; false if the point is not
+    /// Adds `amount` (heights times `one`) to the four cells around the point by their distance; false if the point is not
     /// between the middles of four cells.
     bool add(double x, double y, double amount) {
         const double column = (x - origin_.x) * per_cell_ - 0.5;
@@ -56,6 +55,7 @@ private:
     double cell_;
     double per_cell_;
     Vec2d origin_;
+    double one_;
     std::vector<std::int64_t> sums_;
 };
 
