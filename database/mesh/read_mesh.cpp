@@ -1,6 +1,7 @@
 #include "database/mesh/read_mesh.h"
 
 #include <assimp/Importer.hpp>
+#include <assimp/commonMetaData.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -143,6 +144,13 @@ private:
     std::string error_;
 };
 
+/// Assimp 5.2 multiplies translation, turn and size of glTF 1.0's nodes in the wrong order: parts would stand in wrong places.
+bool is_first_gltf(const aiScene& scene) {
+    aiString version;
+    return scene.mMetaData != nullptr && scene.mMetaData->Get(AI_METADATA_SOURCE_FORMAT_VERSION, version) &&
+           name_of(version).starts_with("1");
+}
+
 /// Assimp's messages may run over several lines; ours do not.
 std::string one_line(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
@@ -159,6 +167,7 @@ MeshResult read_mesh(const std::string& path) {
         Assimp::Importer importer;
         const aiScene* scene = importer.ReadFile(path, 0); // no post-processing: it may round as it likes
         if (scene == nullptr) return {{}, one_line(importer.GetErrorString())};
+        if (is_first_gltf(*scene)) return {{}, "it is glTF 1.0; save it as glTF 2.0"};
         return SceneReader(*scene).read();
     } catch (const std::exception& thrown) { // Assimp lets some escape
         return {{}, one_line(thrown.what())};

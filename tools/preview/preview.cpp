@@ -70,7 +70,7 @@ double fitting_range(const PreviewSubject& subject, const Vec3d& outward, double
     constexpr double margin = 1.1;
     const Vec3d right = glm::normalize(Vec3d(-outward.y, outward.x, 0.0));
     const Vec3d up = glm::cross(outward, right);
-    const Vec3d half = glm::max(subject.half_extent_m, Vec3d(0.5));
+    const Vec3d half = glm::max(subject.half_extent_m, Vec3d(0.01)); // a point has no size
     double range = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3d at = half * Vec3d(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
