@@ -12,6 +12,7 @@ void prefer_large_pages([[maybe_unused]] const void* begin, [[maybe_unused]] std
     const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
     const auto end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / page * page;
     // A refusal is no error: the memory is there all the same.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the address was rounded up to a page
     if (first < end) (void)madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
 #endif
 }
