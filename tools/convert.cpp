@@ -7,14 +7,10 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <stdexcept>
 #include <string>
-#include <string_view>
-#include <system_error>
 
 namespace linkdig::tools {
 namespace {
@@ -24,41 +20,18 @@ struct ConvertOptions {
     std::string output;
 };
 
-[[noreturn]] void cannot_write(const std::string& path) {
-    throw std::system_error(errno, std::generic_category(), "cannot write " + path);
-}
-
-/// The text gets its name when it is whole; a damaged recording leaves none.
-void write_text(const ConvertOptions& options) {
-    const std::string part = options.output + ".part";
-    try {
-        RecordingReader recording(options.input);
-        errno = 0;
-        std::ofstream text(part);
-        if (!text) cannot_write(part);
-        recording_to_json(recording, text);
-        text.close();
-        if (!text) cannot_write(part);
-        std::filesystem::rename(part, options.output);
-    } catch (...) {
-        std::error_code gone_already;
-        std::filesystem::remove(part, gone_already);
-        throw;
-    }
-}
-
 int convert(const ConvertOptions& options) {
     if (std::filesystem::is_directory(options.input))
         throw BadInput(options.input + ": error: is a folder; expected a recording, or one as text");
     if (compare::has_recording_magic(options.input)) {
-        write_text(options);
+        RecordingReader recording(options.input);
+        recording_to_json(recording, options.output);
     } else {
         std::ifstream text(options.input);
         if (!text) throw BadInput(fmt::format("{}: error: cannot be read", options.input));
         try {
             json_to_recording(text, options.output);
-        } catch (const std::runtime_error& mistake) {
-            if (!std::string_view(mistake.what()).starts_with("line ")) throw; // the file's, not the text's
+        } catch (const RecordingTextMistake& mistake) {
             throw BadInput(fmt::format("{}: error: {}", options.input, mistake.what()));
         }
     }

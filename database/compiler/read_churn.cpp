@@ -4,6 +4,7 @@
 
 #include "database/compiler/model_object.h"
 #include "database/compiler/primitives.h"
+#include "database/compiler/square_grid.h"
 #include "database/model/mathematics.h"
 #include "database/water/sea_pattern.h"
 
@@ -65,21 +66,6 @@ void add_vertices(const Strip& strip, const std::vector<Vec3f>& normals, ModelOb
             object.vertices.push_back({as_float({at.x, at.y, 0.0}), normal, {}, object.at});
         }
     }
-}
-
-void add_squares(const Strip& strip, const FaceStyle& style, const std::vector<Vec3f>& normals,
-                 ModelObject& object) {
-    const auto stride = static_cast<std::uint32_t>(strip.across + 1);
-    for (std::uint32_t row = 0; row < strip.along; ++row)
-        for (std::uint32_t column = 0; column < strip.across; ++column) {
-            const std::uint32_t corner = row * stride + column;
-            ModelFace face;
-            face.corners = {corner, corner + 1, corner + stride + 1, corner + stride};
-            face.style = style;
-            face.at = object.at;
-            face.light_normal = Vec3d(normals[object.faces.size()]);
-            object.faces.push_back(std::move(face));
-        }
 }
 
 /// Twice the area of the strip's outline, positive if it runs counter-clockwise: out on the right, home on the left.
@@ -146,9 +132,13 @@ void read_churn(AuthoredTable table, const Reading& reading, std::vector<ModelOb
     if (mistakes.any()) return;
     const std::size_t vertices = (strip.along + 1) * (strip.across + 1);
     add_vertices(strip, random_normals(seed, NormalStream::vertices, vertices, vertical_angle_rad), object);
-    add_squares(strip, style,
-                random_normals(seed, NormalStream::faces, strip.along * strip.across, vertical_angle_rad),
-                object);
+    const std::vector<Vec3f> normals =
+        random_normals(seed, NormalStream::faces, strip.along * strip.across, vertical_angle_rad);
+    add_squares(static_cast<std::uint32_t>(strip.across), static_cast<std::uint32_t>(strip.along), object,
+                [&](ModelFace& face, std::uint32_t number) {
+                    face.style = style;
+                    face.light_normal = Vec3d(normals[number]);
+                });
     if (mirrored) add_mirror_image(object);
     objects.push_back(std::move(object));
 }

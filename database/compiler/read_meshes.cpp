@@ -75,8 +75,7 @@ private:
                                                  name));
             return {};
         }
-        const std::filesystem::path folder = std::filesystem::path(reader_.file()).parent_path();
-        return (folder / name).lexically_normal().generic_string();
+        return reader_.beside(name);
     }
 
     std::optional<Mesh> opened(const std::string& path) {

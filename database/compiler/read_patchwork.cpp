@@ -2,6 +2,7 @@
 
 #include "database/compiler/model_object.h"
 #include "database/compiler/primitives.h"
+#include "database/compiler/square_grid.h"
 #include "database/model/random.h"
 
 #include <fmt/format.h>
@@ -44,19 +45,11 @@ void add_fields(const Patchwork& work, FaceStyle style, ModelObject& object) {
         for (std::uint64_t column = 0; column <= work.columns; ++column)
             object.vertices.push_back({as_float(corner(work, column, row)), {}, {}, object.at});
     const std::uint64_t colour_seed = random_bits(work.seed, 0); // shares nothing with the corners' numbers
-    for (std::uint64_t row = 0; row < work.rows; ++row) {
-        for (std::uint64_t column = 0; column < work.columns; ++column) {
-            const auto first = static_cast<std::uint32_t>(row * (work.columns + 1) + column);
-            const auto next = static_cast<std::uint32_t>(first + work.columns + 1);
-            style.colour =
-                work.colours[random_bits(colour_seed, row * work.columns + column) % work.colours.size()];
-            ModelFace face;
-            face.corners = {first, first + 1, next + 1, next};
-            face.style = style;
-            face.at = object.at;
-            object.faces.push_back(std::move(face));
-        }
-    }
+    add_squares(static_cast<std::uint32_t>(work.columns), static_cast<std::uint32_t>(work.rows), object,
+                [&](ModelFace& face, std::uint32_t number) {
+                    style.colour = work.colours[random_bits(colour_seed, number) % work.colours.size()];
+                    face.style = style;
+                });
 }
 
 std::vector<std::uint16_t> read_colours(TableReader& reader, const Reading& reading) {

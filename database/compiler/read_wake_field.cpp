@@ -2,6 +2,7 @@
 
 #include "database/compiler/model_object.h"
 #include "database/compiler/primitives.h"
+#include "database/compiler/square_grid.h"
 #include "database/compiler/wake_spec.h"
 #include "database/model/mathematics.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace linkdig::database {
 
@@ -50,8 +50,7 @@ double height_at(const WaveField& field, double column, double row, double reach
 
 double left_at(std::uint32_t place, std::uint32_t squares) {
     const double from_rim = std::min(place, squares - place) / static_cast<double>(squares);
-    const double t = std::clamp(from_rim / rim, 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
+    return smooth_step(from_rim / rim);
 }
 
 /// Slopes at the corners of the squares, row by row, in heights of the field a metre. On the rim there are none: the
@@ -103,24 +102,15 @@ void add_water(const Patch& patch, const FaceStyle& style, ModelObject& object) 
                 {as_float(at), glm::normalize(Vec3d(-slope.x, -slope.y, 1.0)), {}, object.at});
         }
     }
-    for (std::uint32_t row = 0; row < patch.squares; ++row) {
-        for (std::uint32_t column = 0; column < patch.squares; ++column) {
-            const std::uint32_t at = row * corners + column;
-            ModelFace face;
-            face.corners = {at, at + 1, at + corners + 1, at + corners};
-            face.style = style;
-            face.at = object.at;
-            object.faces.push_back(std::move(face));
-        }
-    }
+    add_squares(patch.squares, patch.squares, object,
+                [&](ModelFace& face, std::uint32_t) { face.style = style; });
 }
 
 /// The specification's own mistakes are told with its lines.
 std::optional<WakeSpec> read_spec(TableReader& reader, std::vector<std::string>& tried) {
     const std::string name = reader.text("spec");
     if (name.empty()) return std::nullopt;
-    const std::filesystem::path folder = std::filesystem::path(reader.file()).parent_path();
-    tried.push_back((folder / name).lexically_normal().generic_string());
+    tried.push_back(reader.beside(name));
     return read_wake_spec(tried.back(), reader.diagnostics());
 }
 

@@ -1,5 +1,6 @@
 #include "database/model/mathematics.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -148,6 +149,11 @@ double logarithm(double x) {
 double power(double x, double y) {
     if (x == 0.0) return y > 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
     return exponential(y * logarithm(x));
+}
+
+double smooth_step(double t) {
+    const double inside = std::clamp(t, 0.0, 1.0);
+    return inside * inside * (3.0 - 2.0 * inside);
 }
 
 double modulo(double x, double period) {

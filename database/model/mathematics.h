@@ -38,6 +38,9 @@ double power(double x, double y);
 constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
 constexpr double degrees(double radians_value) { return radians_value * (180.0 / pi); }
 
+/// Rises from 0 at t <= 0 to 1 at t >= 1, level at both ends.
+double smooth_step(double t);
+
 /// x reduced to [0, period), period > 0.
 double modulo(double x, double period);
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace linkdig::database {
@@ -42,6 +43,10 @@ static std::string table_of(const std::string& what) {
     if (begin == std::string::npos) return what;
     const std::string table = what.substr(begin, what.find(' ', begin) - begin);
     return begin == 0 ? table : what.substr(0, what.find(' ')) + " of " + table;
+}
+
+std::string TableReader::beside(const std::string& name) const {
+    return (std::filesystem::path(file_).parent_path() / name).lexically_normal().string();
 }
 
 void TableReader::note(std::string_view key, std::string value, std::optional<std::string> fallback) const {

@@ -83,6 +83,8 @@ public:
     void finish();
 
     const std::string& file() const { return file_; }
+    /// The path of another file that this one names, relative to its own folder.
+    std::string beside(const std::string& name) const;
     const std::string& what() const { return what_; }
     Diagnostics& diagnostics() const { return *diagnostics_; }
 

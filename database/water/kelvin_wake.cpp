@@ -36,10 +36,7 @@ Shape::Sample sample_at(double u, double weight) {
 }
 
 /// What is left of a wave that is so many cells long: the grid cannot hold one under two, and shows four as it is.
-double kept_on_grid(double cells_long) {
-    const double t = std::clamp(0.5 * (cells_long - 2.0), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
+double kept_on_grid(double cells_long) { return smooth_step(0.5 * (cells_long - 2.0)); }
 
 /// Length that a sample at u stands for, times what the grid keeps of its wave: it runs u off the swimmer's way, and is
 /// cos^2 u times as long as the transverse waves.
@@ -79,15 +76,11 @@ std::uint64_t curves_of(const KelvinWakes& wakes, double length) {
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(length * wakes.psi_per_unit + 0.5));
 }
 
-double length_of(const KelvinSwimmer& swimmer) {
-    return sample_path(swimmer.path, 1e30, 0.0).length; // one sample, at the end
-}
-
 /// A unit of height in fixed point: as large a power of two as lets every sample of all swimmers fall into one cell.
 double fixed_point_one(const KelvinWakes& wakes) {
     double greatest = 1.0;
     for (const KelvinSwimmer& swimmer : wakes.swimmers) {
-        const double length = length_of(swimmer);
+        const double length = path_length(swimmer.path);
         const double cells = length * wakes.size / wakes.side;
         const double samples = static_cast<double>(curves_of(wakes, length)) * (wakes.u_steps + 1.0);
         greatest +=
@@ -103,7 +96,7 @@ public:
     Sweep(const KelvinWakes& wakes, const KelvinSwimmer& swimmer, double one)
         : one_(one), wakes_(wakes), swimmer_(swimmer),
           shape_(shape_of(wakes.sampling, wakes.u_steps, transverse_cells(wakes, swimmer))),
-          length_(length_of(swimmer)) {
+          length_(path_length(swimmer.path)) {
         const double cell = wakes.side / wakes.size;
         path_ = sample_path(swimmer.path, std::min(0.125 * cell, length_ / 64.0), 2.0 * length_ + cell);
         per_step_ = 1.0 / path_.step;
@@ -189,7 +182,7 @@ private:
 double sample_count(const KelvinWakes& wakes) {
     double count = 0.0;
     for (const KelvinSwimmer& swimmer : wakes.swimmers)
-        count += (length_of(swimmer) * wakes.psi_per_unit + 1.0) * wakes.u_steps;
+        count += (path_length(swimmer.path) * wakes.psi_per_unit + 1.0) * wakes.u_steps;
     return count;
 }
 

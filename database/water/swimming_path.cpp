@@ -92,13 +92,6 @@ Vec2d tangent_on(const PathPiece& piece, double t) {
     return {1.0, 0.0};
 }
 
-double rough_size(const std::vector<PathPiece>& pieces) {
-    double size = 0.0;
-    for (const PathPiece& piece : pieces)
-        size += LengthTable(piece).total();
-    return size;
-}
-
 } // namespace
 
 std::vector<BezierPiece> natural_spline(const std::vector<Vec2d>& points) {
@@ -131,9 +124,16 @@ PathPiece part_of(const PathPiece& piece, double from, double to) {
     return std::visit([&](const auto& p) { return PathPiece(part(p, from, to)); }, piece);
 }
 
+double path_length(const std::vector<PathPiece>& pieces) {
+    double length = 0.0;
+    for (std::size_t i = pieces.size(); i-- > 0;) // from the end, as the samples run
+        length += LengthTable(pieces[i]).total();
+    return length;
+}
+
 std::string path_mistake(const std::vector<PathPiece>& pieces) {
     if (pieces.empty()) return "has no piece; expected at least one";
-    const double size = rough_size(pieces);
+    const double size = path_length(pieces);
     if (!std::isfinite(size)) return "has numbers that are not finite";
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!(LengthTable(pieces[i]).total() > 1e-9 * size))

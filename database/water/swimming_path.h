@@ -56,6 +56,9 @@ struct SampledPath {
 /// path), numbers that are not finite. `length` of a line is exact; others are Simpson's rule over 64 or more parts.
 std::string path_mistake(const std::vector<PathPiece>& pieces);
 
+/// Along the path, from end to end.
+double path_length(const std::vector<PathPiece>& pieces);
+
 /// Samples up to `reach` from the end, at least up to the beginning. Pieces without mistake; step > 0.
 SampledPath sample_path(const std::vector<PathPiece>& pieces, double step, double reach);
 

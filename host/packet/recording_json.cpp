@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <charconv>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -90,20 +92,20 @@ void write_lines(std::istream& text, const std::string& path) {
             read_value(parse_json(line), "", packet);
             recording->write(packet);
         } catch (const JsonMistake& mistake) {
-            throw std::runtime_error(fmt::format("line {}: {}", number, mistake.what()));
+            throw RecordingTextMistake(fmt::format("line {}: {}", number, mistake.what()));
         }
     }
-    if (!recording) throw std::runtime_error("line 1: missing; expected the recording's header");
+    if (!recording) throw RecordingTextMistake("line 1: missing; expected the recording's header");
     recording->close();
 }
 
-} // namespace
-
-void json_to_recording(std::istream& text, const std::string& path) {
+/// Calls write(temporary name), then gives the file its name; nothing is left if that throws.
+template <typename Write>
+void write_whole(const std::string& path, Write write) {
     const std::string temporary = path + ".part";
     std::error_code failed;
     try {
-        write_lines(text, temporary);
+        write(temporary);
     } catch (const std::runtime_error&) {
         std::filesystem::remove(temporary, failed);
         throw;
@@ -114,6 +116,21 @@ void json_to_recording(std::istream& text, const std::string& path) {
         std::filesystem::remove(temporary, ignored);
         throw std::runtime_error(fmt::format("cannot write {}: {}", path, failed.message()));
     }
+}
+
+} // namespace
+
+void recording_to_json(RecordingReader& recording, const std::string& path) {
+    write_whole(path, [&](const std::string& temporary) {
+        errno = 0;
+        std::ofstream text(temporary);
+        if (!text) throw std::system_error(errno, std::generic_category(), "cannot write " + temporary);
+        recording_to_json(recording, text);
+    });
+}
+
+void json_to_recording(std::istream& text, const std::string& path) {
+    write_whole(path, [&](const std::string& temporary) { write_lines(text, temporary); });
 }
 
 } // namespace linkdig

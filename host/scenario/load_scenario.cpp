@@ -24,7 +24,7 @@ void read_head(TableReader& root, Scenario& scenario) {
     if (!database.empty() && database.extension() != ".toml" && database.extension() != ".igdb")
         reader.error_at("database", fmt::format("\"database\" is \"{}\"; expected a .toml or .igdb file",
                                                 database.string()));
-    scenario.database_path = (Path(root.file()).parent_path() / database).lexically_normal().string();
+    scenario.database_path = root.beside(database.string());
     scenario.duration_s = reader.duration_s("duration", {}, {0.1, 86400.0});
     scenario.seed =
         static_cast<std::uint64_t>(reader.integer("seed", 0, 0, std::numeric_limits<std::int64_t>::max()));

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace linkdig::host {
 
@@ -31,11 +30,10 @@ void read_fixed(TableReader& reader, const Scenario& scenario, OwnShipSection& o
 }
 
 void read_path(TableReader& reader, OwnShipSection& own) {
-    const std::filesystem::path file = reader.text("file");
+    const std::string file = reader.text("file");
     if (file.empty()) return;
-    const std::string path =
-        (std::filesystem::path(reader.file()).parent_path() / file).lexically_normal().string();
-    own.path = read_history(path, path_history_columns(), reader.at("file"), reader.diagnostics());
+    own.path =
+        read_history(reader.beside(file), path_history_columns(), reader.at("file"), reader.diagnostics());
     for (HistoryRow& row : own.path)
         row.values[3] += heading_from_aviation(0.0); // the factor has turned its sense already
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <limits>
 
 namespace linkdig::host {
@@ -35,9 +34,7 @@ AxisSection read_turn(TableReader& reader, const std::string& axis, double gain,
 }
 
 std::vector<HistoryRow> read_motion_file(TableReader& reader) {
-    const std::filesystem::path file = reader.text("file");
-    const std::string path =
-        (std::filesystem::path(reader.file()).parent_path() / file).lexically_normal().string();
+    const std::string path = reader.beside(reader.text("file"));
     return read_history(path, ship_history_columns(), reader.at("file"), reader.diagnostics());
 }
 

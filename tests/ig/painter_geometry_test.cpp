@@ -5,9 +5,6 @@
 #include "database/format/name_directory.h"
 #include "host/loop/host_loop.h"
 #include "host/scenario/scenario.h"
-#include "ig/active/activate.h"
-#include "ig/geometry/project.h"
-#include "ig/priority/prioritise.h"
 #include "tests/ig/random_scene.h"
 #include "tests/ig/random_scene_stages.h"
 #include "tests/ig/small_database.h"
@@ -22,20 +19,7 @@ namespace {
 
 /// What geometry makes of a packet's first channel.
 Scene scene_of(const VisualDatabase& database, const FramePacket& packet, const Raster& raster) {
-    Configuration configuration;
-    configuration.raster = raster;
-    ActiveDatabase active;
-    History history;
-    activate(database, packet, configuration, history, active);
-    PriorityScratch priority_scratch;
-    PriorityOrder order;
-    prioritise(active, packet.channels[0], priority_scratch, order);
-    GeometryScratch geometry_scratch;
-    Scene scene;
-    scene.raster = raster;
-    scene.colours = database.colours;
-    project(active, order, packet.channels[0], raster, false, geometry_scratch, scene.projected);
-    return scene;
+    return project_packet(database, packet, raster).scene;
 }
 
 /// The bounds of ig/geometry/projected_face.h, and corners that run the right way round.

@@ -1,6 +1,7 @@
 #include "tests/ig/random_scene_stages.h"
 
 #include "ig/edges/edges.h"
+#include "ig/geometry/project.h"
 #include "ig/scanline/bands.h"
 #include "ig/scanline/scanline.h"
 #include "ig/video/video.h"
@@ -14,6 +15,22 @@
 #include <thread>
 
 namespace linkdig::ig {
+
+Projected project_packet(const VisualDatabase& database, const FramePacket& packet, const Raster& raster) {
+    Configuration configuration;
+    configuration.raster = raster;
+    Projected made;
+    History history;
+    activate(database, packet, configuration, history, made.active);
+    PriorityScratch priority_scratch;
+    prioritise(made.active, packet.channels[0], priority_scratch, made.order);
+    GeometryScratch geometry_scratch;
+    made.scene.raster = raster;
+    made.scene.colours = database.colours;
+    project(made.active, made.order, packet.channels[0], raster, false, geometry_scratch,
+            made.scene.projected);
+    return made;
+}
 
 Drawn draw(const Scene& scene, std::uint32_t threads) {
     Drawn drawn;

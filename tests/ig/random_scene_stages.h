@@ -1,7 +1,9 @@
 #pragma once
 /// A scene through the machine's own stages: edges, scanline, video.
 
+#include "ig/active/activate.h"
 #include "ig/edges/edge.h"
+#include "ig/priority/prioritise.h"
 #include "ig/scanline/segment.h"
 #include "ig/video/line.h"
 #include "tests/ig/random_scene.h"
@@ -16,6 +18,14 @@ struct Drawn {
     std::vector<BandSegments> bands;
     VideoFrame picture; ///< with its intensity and rank planes
 };
+
+/// What the stages up to geometry make of a packet's first channel.
+struct Projected {
+    ActiveDatabase active;
+    PriorityOrder order;
+    Scene scene;
+};
+Projected project_packet(const VisualDatabase& database, const FramePacket& packet, const Raster& raster);
 
 /// Which bands each thread draws, one after the other, with working storage of its own.
 Drawn draw(const Scene& scene, std::uint32_t threads = 1);

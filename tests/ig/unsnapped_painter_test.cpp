@@ -6,9 +6,6 @@
 #include "database/model/mathematics.h"
 #include "host/loop/host_loop.h"
 #include "host/scenario/scenario.h"
-#include "ig/active/activate.h"
-#include "ig/geometry/project.h"
-#include "ig/priority/prioritise.h"
 #include "tests/ig/random_scene.h"
 #include "tests/ig/random_scene_stages.h"
 #include "tests/ig/small_database.h"
@@ -65,19 +62,7 @@ struct Agreement {
 /// The stages up to the scanline against the painter, on the packet's first channel.
 void expect_same_faces(const VisualDatabase& database, const FramePacket& packet, const Raster& raster,
                        Agreement& agreement) {
-    Configuration configuration;
-    configuration.raster = raster;
-    History history;
-    ActiveDatabase active;
-    activate(database, packet, configuration, history, active);
-    PriorityScratch priority_scratch;
-    PriorityOrder order;
-    prioritise(active, packet.channels[0], priority_scratch, order);
-    GeometryScratch geometry_scratch;
-    Scene scene;
-    scene.raster = raster;
-    scene.colours = database.colours;
-    project(active, order, packet.channels[0], raster, false, geometry_scratch, scene.projected);
+    const auto [active, order, scene] = project_packet(database, packet, raster);
     const VideoFrame picture = draw(scene).picture;
     const auto painted = support::paint_unsnapped(active, order, packet.channels[0], raster, margin);
     int told = 0;
