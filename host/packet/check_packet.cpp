@@ -192,6 +192,14 @@ std::string check_priorities(const FramePacket& packet, const PacketLimits& limi
     return {};
 }
 
+/// The machine does not look at them, but a recording keeps them, and its text does not tell one NaN from another.
+std::string check_host_values(const FramePacket& packet, const PacketLimits&) {
+    for (std::size_t i = 0; i < packet.host_values.size(); ++i)
+        if (!std::isfinite(packet.host_values[i].value))
+            return fmt::format("host_values[{}].value is not finite", i);
+    return {};
+}
+
 std::string check_environment(const FramePacket& packet, const PacketLimits& limits) {
     if (packet.database_id != 0 && limits.database_id != 0 && packet.database_id != limits.database_id)
         return fmt::format("database_id is {:016x}; the database in use has {:016x}", packet.database_id,
@@ -238,8 +246,9 @@ PacketLimits packet_limits(const VisualDatabase& database, std::uint64_t databas
 }
 
 std::string check_packet(const FramePacket& packet, const PacketLimits& limits) {
-    for (const auto& check : {check_channels, check_suns, check_lighting, check_moving_objects,
-                              check_substitutions, check_normal_updates, check_priorities, check_environment})
+    for (const auto& check :
+         {check_channels, check_suns, check_lighting, check_moving_objects, check_substitutions,
+          check_normal_updates, check_priorities, check_host_values, check_environment})
         if (std::string reason = check(packet, limits); !reason.empty()) return reason;
     return {};
 }

@@ -151,6 +151,14 @@ TEST(CheckPacket, Environment) {
     });
 }
 
+TEST(CheckPacket, HostValues) {
+    expect_told({
+        {"host_values[1].value is not finite", [](auto& p) { p.host_values[1].value = nan; }},
+        {"host_values[0].value is not finite", [](auto& p) { p.host_values[0].value = -infinity; }},
+        {"", [](auto& p) { p.host_values[0].index = 0xffffffffU; }}, // the host's own numbering
+    });
+}
+
 TEST(PacketLimits, AreTheSizesOfTheDatabasesTables) {
     VisualDatabase database;
     database.suns = {"a", "b", "c"};
