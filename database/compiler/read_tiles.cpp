@@ -1,6 +1,7 @@
 #include "database/compiler/read_tiles.h"
 
 #include "database/compiler/tile_pattern.h"
+#include "database/model/tile_tables.h"
 
 #include <fmt/format.h>
 
@@ -9,12 +10,6 @@
 namespace linkdig::database {
 
 namespace {
-
-constexpr std::int64_t most_half_width = 256;
-/// From the eye to the outermost ring's border.
-constexpr double farthest_reach_m = 1e9;
-/// Squares that the machine makes each frame, of all tiles.
-constexpr std::uint64_t most_squares = 4'000'000;
 
 std::uint32_t read_whole(TableReader& reader, const char* key, std::int64_t least, std::int64_t greatest) {
     return static_cast<std::uint32_t>(reader.integer(key, least, greatest));
@@ -57,21 +52,21 @@ void read_tile(AuthoredTable table, const std::vector<ModelObject>& objects, con
     if ((tile.period & (tile.period - 1)) != 0)
         reader.error_at("period",
                         fmt::format("\"period\" is {}; expected a power of two, 2 to 1024", tile.period));
-    tile.cell_m = reader.length_m("cell", {}, {0.01, 1e5});
+    tile.cell_m = reader.length_m("cell", {}, {least_cell_m, 1e5});
     tile.rings = read_whole(reader, "rings", 1, 16);
     tile.fine_levels = read_whole(reader, "fine_levels", 0, 6);
-    tile.half_width = read_whole(reader, "half_width", 8, most_half_width);
+    tile.half_width = read_whole(reader, "half_width", 8, max_half_width);
     if (tile.half_width % 4 != 0)
         reader.error_at("half_width", fmt::format("\"half_width\" is {}; expected a multiple of 4, 8 to {}",
-                                                  tile.half_width, most_half_width));
+                                                  tile.half_width, max_half_width));
     tile.colour =
         static_cast<std::uint16_t>(named(reader, "colour", reading.registry->colour_names, true).value_or(0));
     const bool face_shaded = reader.choice("shading", 0, {"vertex", "face"}) == 1;
     const TilePattern pattern = read_pattern(reader, tile, face_shaded);
-    if (tile.cell_m * static_cast<double>(1U << tile.rings) * tile.half_width > farthest_reach_m)
+    if (tile.cell_m * static_cast<double>(1U << tile.rings) * tile.half_width > max_tile_reach_m)
         reader.error_at("rings",
                         fmt::format("the rings reach further than {:.0f} m; expected fewer or smaller ones",
-                                    farthest_reach_m));
+                                    max_tile_reach_m));
     tile.file = table.file;
     tile.line = place_of(*table.table, table.file).line;
     reader.finish();
@@ -91,10 +86,10 @@ Tiles read_tiles(const AuthoredTables& tables, const std::vector<ModelObject>& o
     std::uint64_t squares = 0;
     for (const RepeatedTile& tile : result.tiles)
         squares += 4ULL * tile.half_width * tile.half_width * (tile.rings + tile.fine_levels + 1ULL);
-    if (squares > most_squares)
+    if (squares > max_tile_squares)
         reading.error(
             place_of(*tables.tiles.back().table, tables.tiles.back().file),
-            fmt::format("the tiles make {} squares a frame; expected at most {}", squares, most_squares));
+            fmt::format("the tiles make {} squares a frame; expected at most {}", squares, max_tile_squares));
     return result;
 }
 

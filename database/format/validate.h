@@ -12,9 +12,6 @@ namespace linkdig::database {
 // Bounds beside those that visual_database.h states. They keep the machine's arithmetic and memory within
 // limits, whatever a file says.
 inline constexpr double max_coordinate_m = 1e7; ///< of any position
-inline constexpr double max_tile_reach_m = 1e9; ///< from the eye to the outermost ring's border
-inline constexpr std::uint32_t max_half_width = 256;
-inline constexpr std::uint64_t max_tile_squares = 4'000'000; ///< of all tiles together
 inline constexpr std::uint32_t max_alternatives = 65535;
 inline constexpr std::uint32_t max_tree_depth =
     4096; ///< planes from a root to a leaf: trees may be walked recursively

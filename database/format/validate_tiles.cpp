@@ -21,9 +21,9 @@ std::string check_parameters(const RepeatedTile& tile) {
         return fmt::format("half_width is {}; expected a multiple of 4 from 8 to {}", tile.half_width,
                            max_half_width);
     const double reach_m = tile.cell_m * static_cast<double>(1U << tile.rings) * tile.half_width;
-    if (!(tile.cell_m > 0.0) || !within(reach_m, 0.0, max_tile_reach_m))
-        return fmt::format("cell_m is {}; expected more than 0, and rings that reach no further than {} m",
-                           tile.cell_m, max_tile_reach_m);
+    if (!(tile.cell_m >= least_cell_m) || !within(reach_m, 0.0, max_tile_reach_m))
+        return fmt::format("cell_m is {}; expected {} at least, and rings that reach no further than {} m",
+                           tile.cell_m, least_cell_m, max_tile_reach_m);
     if (!within(tile.vertical_angle_rad, 0.0, static_cast<double>(static_cast<float>(pi / 2.0))))
         return fmt::format("vertical_angle_rad is {}; expected 0 to pi/2", tile.vertical_angle_rad);
     return {};

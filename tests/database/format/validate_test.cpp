@@ -177,9 +177,13 @@ TEST(Validate, Tiles) {
          [](auto& d) { d.tiles[0].half_width = 10; }},
         {"tiles[0].half_width is 260; expected a multiple of 4 from 8 to 256",
          [](auto& d) { d.tiles[0].half_width = 260; }},
-        {"tiles[0].cell_m is 0; expected more than 0, and rings that reach no further than 1000000000 m",
+        {"tiles[0].cell_m is 0; expected 0.01 at least, and rings that reach no further than 1000000000 m",
          [](auto& d) { d.tiles[0].cell_m = 0; }},
-        {"tiles[0].cell_m is 20000000; expected more than 0, and rings that reach no further than 1000000000 "
+        {"tiles[0].cell_m is 0.009; expected 0.01 at least, and rings that reach no further than 1000000000 "
+         "m",
+         [](auto& d) { d.tiles[0].cell_m = 0.009; }},
+        {"tiles[0].cell_m is 20000000; expected 0.01 at least, and rings that reach no further than "
+         "1000000000 "
          "m",
          [](auto& d) { d.tiles[0].cell_m = 2e7; }},
         {"tiles[0].vertical_angle_rad is 1.6; expected 0 to pi/2",
