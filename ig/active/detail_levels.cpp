@@ -78,7 +78,10 @@ void choose_levels(const VisualDatabase& database, const FramePacket& packet, Hi
                    ActiveDatabase& active) {
     active.level_opacity.assign(database.detail_levels.size(), 0);
     active.detail_range_m.assign(database.details.size(), 0.0);
-    if (packet.discontinuity) history = History{};
+    if (packet.discontinuity) { // all is forgotten but the memory
+        history.held_level.clear();
+        history.load = {};
+    }
     if (history.held_level.size() != database.details.size())
         history.held_level.assign(database.details.size(), ~0U);
     const double bias = static_cast<double>(packet.lod_bias) + bias_at_step(history.load.step);

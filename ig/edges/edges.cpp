@@ -14,62 +14,59 @@ constexpr std::int64_t half_pixel = std::int64_t{1} << (crossing_bits - 1);
 /// exact "ceiling".
 constexpr std::int64_t tie = std::int64_t{1} << (crossing_bits - 34);
 
+/// std::floor() of a number below 2^62, without a call on processors of the baseline.
+std::int64_t floor_of(double value) {
+    const auto whole = static_cast<std::int64_t>(value);
+    return whole - (static_cast<double>(whole) > value ? 1 : 0);
+}
+
 /// First line whose centre is at or below `coordinate` (1/256 pixel).
 std::int32_t first_line_at(std::int32_t coordinate) { return (coordinate + 127) >> 8; }
 
-struct Quotient {
-    std::int64_t whole = 0;
-    std::int64_t rest = 0; ///< 0 <= rest < divisor
-};
-
-Quotient floor_divide(std::int64_t dividend, std::int64_t divisor) {
-    Quotient q{dividend / divisor, dividend % divisor};
-    if (q.rest < 0) {
-        --q.whole;
-        q.rest += divisor;
-    }
-    return q;
-}
-
-/// dividend / divisor in units of 2^-40, rounded down. |dividend| < 2^49, 0 < divisor < 2^24.
+/// dividend / divisor in units of 2^-40, rounded down. |dividend| < 2^49, 0 < divisor < 2^24. Double holds both, and divides
+/// faster than whole numbers do. A quotient that is not whole is at least 1 / divisor from whole numbers: the first one is off
+/// by a sixteenth of that at most; the second may be rounded up to a whole number, which the remainder tells.
 std::uint64_t fixed_quotient(std::int64_t dividend, std::int64_t divisor) {
-    const Quotient q = floor_divide(dividend, divisor);
-    const std::uint64_t fraction =
-        (static_cast<std::uint64_t>(q.rest) << fraction_bits) / static_cast<std::uint64_t>(divisor);
-    return (static_cast<std::uint64_t>(q.whole) << fraction_bits) + fraction;
+    const auto d = static_cast<double>(divisor);
+    const std::int64_t whole = floor_of(static_cast<double>(dividend) / d);
+    const std::int64_t rest = dividend - whole * divisor;
+    constexpr double one = std::int64_t{1} << fraction_bits;
+    const auto fraction =
+        static_cast<std::uint64_t>(static_cast<std::int64_t>(static_cast<double>(rest) * one / d));
+    const std::uint64_t left =
+        (static_cast<std::uint64_t>(rest) << fraction_bits) - fraction * static_cast<std::uint64_t>(divisor);
+    return (static_cast<std::uint64_t>(whole) << fraction_bits) + fraction - (left >> 63U);
 }
 
-/// The edge between two snapped points, upper one first: a pure function of the two points and the raster's
-/// height. False if it spans no line's centre.
-bool make_edge(const RasterPoint& upper, const RasterPoint& lower, std::int32_t lines, Edge& edge) {
-    edge.first_line = std::max(first_line_at(upper.line), 0);
-    edge.end_line = std::min(first_line_at(lower.line), lines);
-    if (edge.first_line >= edge.end_line) return false;
+/// The edge between two snapped points, upper one first, over the lines whose centres it spans: a pure function of the
+/// two points and the raster's height.
+void make_edge(const RasterPoint& upper, const RasterPoint& lower, std::int32_t first_line,
+               std::int32_t end_line, Edge& edge) {
+    edge.first_line = first_line;
+    edge.end_line = end_line;
     const std::int64_t height = lower.line - upper.line;
     const std::int64_t width = static_cast<std::int64_t>(lower.element) - upper.element;
-    const std::int64_t down = (std::int64_t{edge.first_line} * 256 + 128) - upper.line;
+    const std::int64_t down = (std::int64_t{first_line} * 256 + 128) - upper.line;
     const std::uint64_t crossing =
         (static_cast<std::uint64_t>(std::int64_t{upper.element}) << fraction_bits) +
         fixed_quotient(down * width, height);
     edge.start = static_cast<std::int64_t>(crossing + static_cast<std::uint64_t>(half_pixel - tie));
-    edge.slope = edge.end_line - edge.first_line > 1
-                     ? static_cast<std::int64_t>(fixed_quotient(width * 256, height))
-                     : 0;
-    return true;
+    edge.slope =
+        end_line - first_line > 1 ? static_cast<std::int64_t>(fixed_quotient(width * 256, height)) : 0;
 }
 
 /// A value of an intensity plane as an integer of 2^-22, modulo 2^32. Beyond 2^62 only slivers of no width
 /// arrive; their pixels are clamped to the corners' range.
 std::uint32_t to_plane_units(double value) {
     constexpr double bound = 4611686018427387904.0;
-    return static_cast<std::uint32_t>(
-        static_cast<std::int64_t>(std::floor(std::clamp(value, -bound, bound) + 0.5)));
+    return static_cast<std::uint32_t>(floor_of(std::clamp(value, -bound, bound) + 0.5));
 }
 
 /// The plane through the three corners. All products are exact in double (below 2^53) for snapped corners;
 /// each quotient is rounded once, by IEEE 754, the same everywhere.
-IntensityPlane make_plane(const IntensityTriangle& t, std::int32_t line, std::int32_t element) {
-    IntensityPlane plane{.reference_line = line, .reference_element = element};
+void make_plane(const IntensityTriangle& t, std::int32_t line, std::int32_t element, IntensityPlane& plane) {
+    plane.reference_line = line;
+    plane.reference_element = element;
     const auto [least, greatest] = std::minmax({t.intensity[0], t.intensity[1], t.intensity[2]});
     plane.least = least;
     plane.greatest = greatest;
@@ -79,7 +76,7 @@ IntensityPlane make_plane(const IntensityTriangle& t, std::int32_t line, std::in
     const double area = e1 * l2 - e2 * l1;
     if (area == 0.0) {
         plane.value = static_cast<std::uint32_t>(t.intensity[0]);
-        return plane;
+        return;
     }
     const double along = (i1 * l2 - i2 * l1) / area;
     const double across = (e1 * i2 - e2 * i1) / area;
@@ -88,17 +85,17 @@ IntensityPlane make_plane(const IntensityTriangle& t, std::int32_t line, std::in
     plane.value = to_plane_units(t.intensity[0] + along * from_corner_e + across * from_corner_l);
     plane.along = to_plane_units(along * 256.0);
     plane.across = to_plane_units(across * 256.0);
-    return plane;
 }
 
 /// The edge as part of an outline: positions at the borders between lines, rounded to the nearest 1/256 pixel.
-OutlineEdge make_outline_edge(const RasterPoint& upper, const RasterPoint& lower, std::int32_t sign) {
-    OutlineEdge edge{.upper_line = upper.line,
-                     .upper_element = upper.element,
-                     .lower_line = lower.line,
-                     .lower_element = lower.element,
-                     .first_border = (upper.line + 255) >> 8,
-                     .sign = sign};
+void make_outline_edge(const RasterPoint& upper, const RasterPoint& lower, std::int32_t sign,
+                       OutlineEdge& edge) {
+    edge.upper_line = upper.line;
+    edge.upper_element = upper.element;
+    edge.lower_line = lower.line;
+    edge.lower_element = lower.element;
+    edge.first_border = (upper.line + 255) >> 8;
+    edge.sign = sign;
     const std::int64_t height = lower.line - upper.line;
     const std::int64_t width = static_cast<std::int64_t>(lower.element) - upper.element;
     const std::int64_t down = std::int64_t{edge.first_border} * 256 - upper.line;
@@ -107,7 +104,6 @@ OutlineEdge make_outline_edge(const RasterPoint& upper, const RasterPoint& lower
         static_cast<std::int64_t>((static_cast<std::uint64_t>(std::int64_t{upper.element}) << fraction_bits) +
                                   fixed_quotient(down * width, height) + half);
     edge.slope = static_cast<std::int64_t>(fixed_quotient(width * 256, height));
-    return edge;
 }
 
 class EdgeMaker {
@@ -116,21 +112,31 @@ public:
         : projected_(projected), lines_(static_cast<std::int32_t>(raster.lines())),
           elements_(static_cast<std::int32_t>(raster.elements())), smoothing_(smoothing), out_(out) {}
 
+    /// Written where it stays: a copy of what has just been written in parts waits for all of them.
     void put(const ProjectedFace& face) {
         const RasterPoint* points = projected_.points.data() + face.first_point;
-        EdgeFace made{.first_edge = static_cast<std::uint32_t>(out_.edges.size()), .first_line = lines_};
+        EdgeFace& made = out_.faces.emplace_back();
+        made.first_edge = static_cast<std::uint32_t>(out_.edges.size());
+        made.first_line = lines_;
         made.additive = face.added_to >= 0;
         made.opacity = face.opacity;
         made.fade = face.fade;
         made.level = face.level;
         made.blends = made.additive || face.opacity < opaque || face.fade < opaque;
-        put_crossings(points, face.point_count, made);
+        if (spans_a_centre(points, face.point_count)) put_crossings(points, face.point_count, made);
         if (face.triangle >= 0 && (made.leading > 0 || smoothing_)) put_plane(face, points[0], made);
         if (smoothing_) put_outline(points, face.point_count, made);
-        out_.faces.push_back(made);
     }
 
 private:
+    /// Far faces are often too low for any line.
+    static bool spans_a_centre(const RasterPoint* points, std::size_t count) {
+        const std::int32_t line = first_line_at(points[0].line);
+        for (std::size_t k = 1; k < count; ++k)
+            if (first_line_at(points[k].line) != line) return true;
+        return false;
+    }
+
     /// Of a polygon of positive area the edges that run up the lines begin it on a line, those that run down end it.
     void put_crossings(const RasterPoint* points, std::size_t count, EdgeFace& made) {
         for (const bool leading : {true, false}) {
@@ -138,12 +144,15 @@ private:
                 const RasterPoint& from = points[k];
                 const RasterPoint& to = points[k + 1 == count ? 0 : k + 1];
                 if (from.line == to.line || (to.line < from.line) != leading) continue;
-                Edge edge;
-                if (!make_edge(leading ? to : from, leading ? from : to, lines_, edge)) continue;
-                out_.edges.push_back(edge);
+                const RasterPoint& upper = leading ? to : from;
+                const RasterPoint& lower = leading ? from : to;
+                const std::int32_t first_line = std::max(first_line_at(upper.line), 0);
+                const std::int32_t end_line = std::min(first_line_at(lower.line), lines_);
+                if (first_line >= end_line) continue;
+                make_edge(upper, lower, first_line, end_line, out_.edges.emplace_back());
                 ++(leading ? made.leading : made.trailing);
-                made.first_line = std::min(made.first_line, edge.first_line);
-                made.end_line = std::max(made.end_line, edge.end_line);
+                made.first_line = std::min(made.first_line, first_line);
+                made.end_line = std::max(made.end_line, end_line);
             }
         }
     }
@@ -164,8 +173,8 @@ private:
         made.coloured = face.colour_step != 0;
         for (std::uint32_t k = 0; k < (made.coloured ? 3U : 1U); ++k) {
             const std::size_t triangle = static_cast<std::size_t>(face.triangle) + k * face.colour_step;
-            out_.planes.push_back(
-                make_plane(projected_.triangles[triangle], line, std::clamp(element, 0, elements_ - 1)));
+            make_plane(projected_.triangles[triangle], line, std::clamp(element, 0, elements_ - 1),
+                       out_.planes.emplace_back());
         }
     }
 
@@ -183,7 +192,7 @@ private:
             const RasterPoint& upper = begins ? to : from;
             const RasterPoint& lower = begins ? from : to;
             if (lower.line <= 0 || upper.line >= 256 * lines_) continue;
-            out_.outlines.push_back(make_outline_edge(upper, lower, begins ? 1 : -1));
+            make_outline_edge(upper, lower, begins ? 1 : -1, out_.outlines.emplace_back());
         }
         made.outlines = static_cast<std::uint32_t>(out_.outlines.size()) - made.first_outline;
         made.first_line = std::clamp(least >> 8, 0, lines_);

@@ -28,7 +28,13 @@ constexpr int near_subdivisions = 2;
 constexpr double least_forward = 1e-8;
 constexpr ClipPlane near_plane{.c = 1.0, .e = least_forward - near_plane_m, .constant = -least_forward};
 
-double snap(double value) { return std::floor(value + 0.5); }
+/// To the nearest whole number. |value| < 2^62.
+double snap(double value) {
+    const double raised = value + 0.5;
+    const auto whole =
+        static_cast<double>(static_cast<std::int64_t>(raised)); // std::floor() is a call on the baseline
+    return whole > raised ? whole - 1.0 : whole;
+}
 
 class Projector {
 public:
@@ -75,6 +81,7 @@ private:
                 seen.stamp = 0;
             scratch_.stamp = 1;
         }
+        added_to_ = active_.database->lists[block_->list].added_to;
         channel_from_list_ = view_.channel_from_world * block_->world_from_list;
         origin_ = block_->at_eye ? Vec3d(0) : view_.channel_from_world * (block_->origin_m - view_.eye_m);
         lights_.enter(channel_from_list_, origin_, block_->at_eye);
@@ -261,7 +268,8 @@ private:
             put_subdivided({seen[0]->point, seen[1]->point, seen[2]->point}, near_subdivisions);
             return;
         }
-        IntensityTriangle triangle;
+        const auto put = static_cast<std::int32_t>(out_.triangles.size());
+        IntensityTriangle& triangle = out_.triangles.emplace_back();
         for (int k = 0; k < 3; ++k) {
             const bool snapped = (seen[k]->outside & guard) == 0;
             triangle.line[k] = snapped ? seen[k]->snapped.line : seen[k]->line;
@@ -272,16 +280,11 @@ private:
             const std::size_t first = out_.points.size();
             for (const SeenVertex* vertex : seen)
                 out_.points.push_back(vertex->snapped);
-            finish_polygon(first, put(triangle), 0);
+            finish_polygon(first, put, 0);
             return;
         }
         scratch_.polygon.assign({seen[0]->point, seen[1]->point, seen[2]->point});
-        put_clipped_to_guard(put(triangle), 0);
-    }
-
-    std::int32_t put(const IntensityTriangle& triangle) {
-        out_.triangles.push_back(triangle);
-        return static_cast<std::int32_t>(out_.triangles.size() - 1);
+        put_clipped_to_guard(put, 0);
     }
 
     // ---- faces that reach the near plane or the guard band
@@ -336,10 +339,12 @@ private:
         scratch_.polygon.assign(t.begin(), t.end());
         clip_near();
         if (scratch_.polygon.size() < 3) return;
-        const std::vector<ClipPoint> pieces(scratch_.polygon); // few: near the eye only
+        std::vector<ClipPoint>& pieces = scratch_.pieces;
+        pieces.assign(scratch_.polygon.begin(), scratch_.polygon.end());
         for (std::size_t k = 1; k + 1 < pieces.size(); ++k) {
             scratch_.polygon.assign({pieces[0], pieces[k], pieces[k + 1]});
-            IntensityTriangle triangle;
+            const auto put = static_cast<std::int32_t>(out_.triangles.size());
+            IntensityTriangle& triangle = out_.triangles.emplace_back();
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const ClipPoint& p = scratch_.polygon[corner];
                 raster_position(p, triangle.line[corner], triangle.element[corner]);
@@ -350,7 +355,7 @@ private:
                 }
                 triangle.intensity[corner] = static_cast<std::int32_t>(snap(p.intensity));
             }
-            put_clipped_to_guard(put(triangle), 0);
+            put_clipped_to_guard(put, 0);
         }
     }
 
@@ -410,19 +415,25 @@ private:
             return;
         }
         if (area < 0) std::reverse(points, points + count);
-        out_.faces.push_back({.first_point = static_cast<std::uint32_t>(first),
-                              .point_count = static_cast<std::uint16_t>(count),
-                              .colour = colour_,
-                              .triangle = triangle,
-                              .intensity = intensity,
-                              .block = block_index_,
-                              .face = face_index_,
-                              .depth = depth_,
-                              .list = block_->list,
-                              .added_to = active_.database->lists[block_->list].added_to,
-                              .opacity = opacity_,
-                              .fade = fade_,
-                              .level = level_});
+        put_out(first, count, triangle, intensity);
+    }
+
+    /// Written where it stays: a copy of what has just been written in parts waits for all of them.
+    void put_out(std::size_t first, std::size_t count, std::int32_t triangle, std::int32_t intensity) {
+        ProjectedFace& face = out_.faces.emplace_back();
+        face.first_point = static_cast<std::uint32_t>(first);
+        face.point_count = static_cast<std::uint16_t>(count);
+        face.colour = colour_;
+        face.triangle = triangle;
+        face.intensity = intensity;
+        face.block = block_index_;
+        face.face = face_index_;
+        face.depth = depth_;
+        face.list = block_->list;
+        face.added_to = added_to_;
+        face.opacity = opacity_;
+        face.fade = fade_;
+        face.level = level_;
     }
 
     const ActiveDatabase& active_;
@@ -441,6 +452,7 @@ private:
     Vec3d origin_{0}; ///< of the list, channel frame
     std::uint32_t face_index_ = 0;
     std::int32_t depth_ = -1;
+    std::int32_t added_to_ = none; ///< of the block's list
     std::uint16_t colour_ = 0;
     std::uint16_t opacity_ = opaque;
     std::uint16_t fade_ = opaque;

@@ -31,6 +31,7 @@ struct GeometryScratch {
     std::uint32_t stamp = 0;
     std::vector<ClipPoint> polygon;
     std::vector<ClipPoint> spare;
+    std::vector<ClipPoint> pieces;
 };
 
 /// Projects the present faces in priority order. The result's order is the rank. Depth planes are made where range

@@ -31,6 +31,8 @@ struct BandWorker {
     BandScratch scratch;
     BandSegments segments;
     VideoScratch video;
+    double scanline_s = 0.0; ///< of the frame at hand, if stages are measured
+    double video_s = 0.0;
 };
 
 /// What a band reports; summed in band order, so that counts do not depend on threads.
@@ -131,10 +133,20 @@ struct Machine::State {
     FrameReport report;
     bool intensity_plane = false;
     bool rank_plane = false;
+    bool measuring = false;
+    StageTimes times;
+
+    /// Runs a stage; its time goes to `share` if stages are measured.
+    template <typename Stage>
+    void run(double StageTimes::*share, Stage stage) {
+        const StageClock clock(measuring ? &(times.*share) : nullptr);
+        stage();
+    }
 
     /// The block diagram.
     void draw(const FramePacket& packet) {
-        activate(database, packet, configuration, history, active);
+        times = {};
+        run(&StageTimes::active_s, [&] { activate(database, packet, configuration, history, active); });
         channels.resize(packet.channels.size());
         report.channels.assign(packet.channels.size(), {});
         clear_load();
@@ -143,19 +155,27 @@ struct Machine::State {
         }
         if (configuration.capacity.limited())
             report.overload = settle_load(database, packet, configuration.capacity, active, load, history);
+        gather_times();
     }
 
     void draw(const FramePacket& packet, const ChannelView& view, Channel& channel, ChannelReport& counts) {
         const Raster& raster = configuration.raster;
         channel.eye_m = view.eye_m;
-        prioritise(active, view, channel.priority_scratch, channel.order);
-        project(active, channel.order, view, raster, packet.visibility_m > 0.0F, channel.geometry_scratch,
-                channel.projected);
-        channel.air.prepare(channel.projected.scale, raster, static_cast<double>(packet.visibility_m),
-                            background_of(packet));
-        make_edges(channel.projected, raster, configuration.edge_smoothing, channel.edges);
-        make_splats(channel.projected.lights, raster, band_lines, configuration.most_lights, channel.splats);
-        sort_into_bands(channel.edges, raster.lines(), channel.bands);
+        run(&StageTimes::priority_s,
+            [&] { prioritise(active, view, channel.priority_scratch, channel.order); });
+        run(&StageTimes::geometry_s, [&] {
+            project(active, channel.order, view, raster, packet.visibility_m > 0.0F, channel.geometry_scratch,
+                    channel.projected);
+            channel.air.prepare(channel.projected.scale, raster, static_cast<double>(packet.visibility_m),
+                                background_of(packet));
+        });
+        run(&StageTimes::edges_s,
+            [&] { make_edges(channel.projected, raster, configuration.edge_smoothing, channel.edges); });
+        run(&StageTimes::lights_s, [&] {
+            make_splats(channel.projected.lights, raster, band_lines, configuration.most_lights,
+                        channel.splats);
+        });
+        run(&StageTimes::bands_s, [&] { sort_into_bands(channel.edges, raster.lines(), channel.bands); });
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
         draw_bands(packet, channel);
         tell(channel, counts);
@@ -185,9 +205,13 @@ struct Machine::State {
         const auto draw_one = [&](std::uint32_t band, BandWorker& worker) {
             worker.segments.first_line = band * band_lines;
             worker.segments.end_line = std::min((band + 1) * band_lines, raster.lines());
-            resolve_band(channel.edges, channel.bands.of(band), channel.splats.of(band),
-                         channel.splats.pixels, raster.elements(), configuration.edge_smoothing,
-                         worker.scratch, worker.segments);
+            {
+                const StageClock clock(measuring ? &worker.scanline_s : nullptr);
+                resolve_band(channel.edges, channel.bands.of(band), channel.splats.of(band),
+                             channel.splats.pixels, raster.elements(), configuration.edge_smoothing,
+                             worker.scratch, worker.segments);
+            }
+            const StageClock clock(measuring ? &worker.video_s : nullptr);
             draw_band(input, raster, worker.segments, worker.video, channel.picture);
             channel.counts[band] = count(worker.segments);
             channel.counts[band].light_pixels = worker.video.light_pixels;
@@ -199,6 +223,14 @@ struct Machine::State {
         }
         fork_join(arena, bands,
                   [&](std::uint32_t band, std::uint32_t thread) { draw_one(band, workers[thread]); });
+    }
+
+    void gather_times() {
+        for (BandWorker& worker : workers) {
+            times.scanline_s += worker.scanline_s;
+            times.video_s += worker.video_s;
+            worker.scanline_s = worker.video_s = 0.0;
+        }
     }
 
     static void tell(const Channel& channel, ChannelReport& counts) {
@@ -254,6 +286,10 @@ void Machine::draw_planes(bool intensity, bool rank) {
     state_->intensity_plane = intensity;
     state_->rank_plane = rank;
 }
+
+void Machine::measure_stages(bool on) { state_->measuring = on; }
+
+const StageTimes& Machine::stage_times() const { return state_->times; }
 
 Machine::Source Machine::source(std::size_t channel, std::int32_t rank) const {
     if (channel >= state_->channels.size() || rank < 0) return {};

@@ -5,6 +5,7 @@
 #include "ig/active/history.h"
 #include "ig/configuration.h"
 #include "ig/machine/explain.h"
+#include "ig/machine/stage_times.h"
 #include "ig/video/line.h"
 
 #include <memory>
@@ -36,6 +37,10 @@ public:
 
     /// Draw these planes beside the colour from the next frame on.
     void draw_planes(bool intensity, bool rank);
+
+    /// Measure the stages from the next frame on; stage_times() has what the last frame took.
+    void measure_stages(bool on);
+    const StageTimes& stage_times() const;
 
     /// List, object and face of a rank on a channel of the last frame.
     struct Source {

@@ -8,6 +8,7 @@ namespace linkdig::ig {
 namespace {
 
 constexpr std::int32_t outline_bits = 40;
+constexpr auto whole = static_cast<std::int32_t>(whole_pixel);
 
 /// Where the edge crosses the border above `line`, 1/256 pixel.
 std::int32_t at_border(const OutlineEdge& edge, std::int32_t line) {
@@ -17,96 +18,147 @@ std::int32_t at_border(const OutlineEdge& edge, std::int32_t line) {
     return static_cast<std::int32_t>(static_cast<std::int64_t>(position) >> outline_bits);
 }
 
-/// The part of an edge inside one line: from (left, left_y) to (right, right_y), y counted from the line's upper border.
+/// The part of an edge inside one line, from `left` to `right`, 1/256 pixel along the line; `rise` is how far it gets
+/// across the line (1/256, signed) and `height` the same without sign.
 struct Piece {
-    std::int32_t left = 0, left_y = 0;
-    std::int32_t right = 0, right_y = 0;
+    std::int32_t left = 0;
+    std::int32_t right = 0;
+    std::int32_t rise = 0;
+    std::int32_t height = 0;
+    std::int32_t sign = 1;
 
-    /// Height at which it crosses the border at the left of an element, rounded to the nearest 1/256.
-    std::int32_t y_at(std::int32_t element) const {
-        const std::int64_t run = right - left;
-        const std::int64_t rise = right_y - left_y;
-        const std::int64_t twice = 2 * (std::int64_t{element} * 256 - left) * rise + run;
-        const std::int64_t quotient = twice >= 0 ? twice / (2 * run) : -((-twice + 2 * run - 1) / (2 * run));
-        return left_y + static_cast<std::int32_t>(quotient);
+    std::int32_t first() const { return left >> 8; }
+    std::int32_t last() const { return right >> 8; }
+
+    /// How far across the line it has got at the left border of an element between its ends: rise * run / length, rounded
+    /// to the nearest 1/256, upwards on the line. Numerator and denominator are whole numbers below 2^35, so the double's
+    /// quotient is never rounded across a whole number, and is exact.
+    std::int32_t passed_at(std::int32_t element) const {
+        const double length = right - left;
+        const double twice = 2.0 * (element * 256.0 - left) * rise + length;
+        return twice >= 0.0 ? static_cast<std::int32_t>(twice / (2.0 * length))
+                            : static_cast<std::int32_t>((2.0 * length - 1.0 - twice) / (2.0 * length));
     }
 };
 
-/// Adds what an edge that runs from (from_x, from_y) to (to_x, to_y) inside one element contributes.
-void add_cell(std::int32_t element, std::int32_t from_x, std::int32_t to_x, std::int32_t from_y,
-              std::int32_t to_y, std::int32_t sign, std::vector<CoverageCell>& cells) {
-    const std::int32_t height = sign * std::abs(to_y - from_y);
-    if (height != 0) cells.push_back({element, height, height * (from_x + to_x)});
-}
-
-void add_piece(const Piece& piece, std::int32_t sign, std::int32_t elements,
-               std::vector<CoverageCell>& cells) {
-    const std::int32_t last = piece.right >> 8;
-    std::int32_t element = piece.left >> 8;
-    std::int32_t x = piece.left & 255;
-    std::int32_t y = piece.left_y;
-    if (element < 0) { // left of the picture: all of the line lies to its right
-        const std::int32_t y_in = last < 0 ? piece.right_y : piece.y_at(0);
-        add_cell(-1, 0, 0, y, y_in, sign, cells);
-        if (last < 0) return;
-        y = y_in;
-        x = 0;
-        element = 0;
-    }
-    for (; element < last && element < elements; ++element) {
-        const std::int32_t y_out = piece.y_at(element + 1);
-        add_cell(element, x, 256, y, y_out, sign, cells);
-        y = y_out;
-        x = 0;
-    }
-    if (element < elements) add_cell(element, x, piece.right & 255, y, piece.right_y, sign, cells);
-}
-
-void add_edge(const OutlineEdge& edge, std::int32_t line, std::int32_t elements,
-              std::vector<CoverageCell>& cells) {
+/// False if the edge does not touch the line, or only along its border.
+bool piece_of(const OutlineEdge& edge, std::int32_t line, Piece& piece) {
     const std::int32_t top = line * 256;
     const std::int32_t bottom = top + 256;
-    if (edge.lower_line <= top || edge.upper_line >= bottom) return;
+    if (edge.lower_line <= top || edge.upper_line >= bottom) return false;
     const bool begins = edge.upper_line >= top;
     const bool ends = edge.lower_line <= bottom;
     const std::int32_t upper_x = begins ? edge.upper_element : at_border(edge, line);
     const std::int32_t lower_x = ends ? edge.lower_element : at_border(edge, line + 1);
-    const std::int32_t upper_y = begins ? edge.upper_line - top : 0;
-    const std::int32_t lower_y = ends ? edge.lower_line - top : 256;
-    const Piece piece = upper_x <= lower_x ? Piece{upper_x, upper_y, lower_x, lower_y}
-                                           : Piece{lower_x, lower_y, upper_x, upper_y};
-    add_piece(piece, edge.sign, elements, cells);
+    const std::int32_t height = (ends ? edge.lower_line - top : 256) - (begins ? edge.upper_line - top : 0);
+    piece = upper_x <= lower_x ? Piece{upper_x, lower_x, height, height, edge.sign}
+                               : Piece{lower_x, upper_x, -height, height, edge.sign};
+    return height != 0;
 }
 
-void put_run(std::int32_t begin, std::int32_t end, std::int32_t coverage, std::vector<CoverageRun>& runs) {
-    if (begin >= end || coverage <= 0) return;
-    runs.push_back({begin, end, std::min(static_cast<std::uint32_t>(coverage), whole_pixel)});
+/// Adds what a piece contributes to the elements of `part`, none of which lies left of it unless it begins at 0.
+void add_piece(const Piece& piece, const PartlyCovered& part, std::int32_t* areas) {
+    const std::int32_t last = piece.last();
+    std::int32_t element = piece.first();
+    if (element >= part.end) return;
+    std::int32_t* area = areas + part.first;
+    std::int32_t passed = 0;
+    std::int32_t x = piece.left & 255;
+    if (element < part.begin) {
+        passed = last < part.begin ? piece.height : piece.passed_at(part.begin);
+        element = part.begin;
+        x = 0;
+    } else {
+        area += element - part.begin;
+    }
+    const std::int32_t crossed_end = std::min(last, part.end);
+    for (; element < crossed_end; ++element, ++area) {
+        const std::int32_t next = piece.passed_at(element + 1);
+        *area += piece.sign * (512 * passed + (next - passed) * (256 - x));
+        passed = next;
+        x = 0;
+    }
+    if (element == last && element < part.end) {
+        *area += piece.sign * (512 * passed + (piece.height - passed) * (512 - x - (piece.right & 255)));
+        ++element, ++area;
+    }
+    const std::int32_t behind = piece.sign * 512 * piece.height;
+    for (; element < part.end; ++element, ++area)
+        *area += behind;
+}
+
+/// The elements that the edges of one side cross, and the height of the line that they span together.
+struct Side {
+    std::int32_t begin = INT32_MAX;
+    std::int32_t end = INT32_MIN;
+    std::int32_t height = 0;
+
+    void add(const Piece& piece) {
+        begin = std::min(begin, piece.first());
+        end = std::max(end, piece.last() + 1);
+        height += piece.height;
+    }
+};
+
+PartlyCovered open_part(std::int32_t begin, std::int32_t end, std::int32_t area, std::int32_t elements,
+                        std::vector<std::int32_t>& areas) {
+    PartlyCovered part{std::clamp(begin, 0, elements), std::clamp(end, 0, elements), areas.size()};
+    if (part.begin < part.end)
+        areas.resize(areas.size() + static_cast<std::size_t>(part.end - part.begin), area);
+    return part;
+}
+
+void clamp_areas(std::vector<std::int32_t>& areas) {
+    for (std::int32_t& area : areas)
+        area = std::clamp(area, 0, whole);
+}
+
+/// Elements that an edge only touches belong to the stretch that is covered wholly.
+void widen_whole(LineCoverage& coverage) {
+    PartlyCovered& before = coverage.parts[0];
+    PartlyCovered& behind = coverage.parts[1];
+    const auto area = [&coverage](const PartlyCovered& part, std::int32_t element) {
+        return coverage.areas[part.first + static_cast<std::size_t>(element - part.begin)];
+    };
+    for (; before.begin < before.end && area(before, before.end - 1) == whole; --before.end)
+        coverage.whole_begin = before.end - 1;
+    for (; behind.begin < behind.end && area(behind, behind.begin) == whole; ++behind.begin, ++behind.first)
+        coverage.whole_end = behind.begin + 1;
 }
 
 } // namespace
 
 void cover_line(std::span<const OutlineEdge> outline, std::int32_t line, std::int32_t elements,
-                std::vector<CoverageCell>& cells, std::vector<CoverageRun>& runs) {
-    cells.clear();
-    runs.clear();
-    for (const OutlineEdge& edge : outline)
-        add_edge(edge, line, elements, cells);
-    std::sort(cells.begin(), cells.end(),
-              [](const CoverageCell& a, const CoverageCell& b) { return a.element < b.element; });
-    std::int32_t cover = 0; // of the edges to the left, of 256
-    std::int32_t done = 0;
-    for (std::size_t k = 0; k < cells.size();) {
-        const std::int32_t element = cells[k].element;
-        put_run(done, std::min(element, elements), 512 * cover, runs);
-        std::int32_t area = 0;
-        for (; k < cells.size() && cells[k].element == element; ++k) {
-            cover += cells[k].cover;
-            area += cells[k].area;
-        }
-        if (element >= 0) put_run(element, element + 1, 512 * cover - area, runs);
-        done = element + 1;
+                LineCoverage& coverage) {
+    coverage.areas.clear();
+    coverage.parts = {};
+    coverage.whole_begin = coverage.whole_end = 0;
+    Side leading, trailing;
+    Piece piece;
+    for (const OutlineEdge& edge : outline) {
+        if (piece_of(edge, line, piece)) (edge.sign > 0 ? leading : trailing).add(piece);
     }
-    put_run(done, elements, 512 * cover, runs);
+    if (leading.height == 0) return;
+    const bool apart = leading.end <= trailing.begin;
+    const std::int32_t between = 512 * leading.height;
+    std::vector<std::int32_t>& areas = coverage.areas;
+    if (apart && between == whole) {
+        coverage.parts[0] = open_part(leading.begin, leading.end, 0, elements, areas);
+        coverage.parts[1] = open_part(trailing.begin, trailing.end, whole, elements, areas);
+        coverage.whole_begin = std::clamp(leading.end, 0, elements);
+        coverage.whole_end = std::clamp(trailing.begin, 0, elements);
+    } else {
+        coverage.parts[0] = open_part(std::min(leading.begin, trailing.begin),
+                                      std::max(leading.end, trailing.end), 0, elements, areas);
+    }
+    for (const OutlineEdge& edge : outline) {
+        if (!piece_of(edge, line, piece)) continue;
+        const bool second = apart && between == whole && edge.sign < 0;
+        const PartlyCovered& part = coverage.parts[second ? 1 : 0];
+        if (part.begin < part.end) add_piece(piece, part, areas.data());
+    }
+    clamp_areas(areas);
+    if (apart && between == whole) widen_whole(coverage);
 }
 
 } // namespace linkdig::ig

@@ -8,29 +8,31 @@
 #include "ig/edges/edge.h"
 #include "ig/scanline/segment.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace linkdig::ig {
 
-/// What the edges contribute to one pixel: `cover` is the height of the edges inside it (of 256), `area` the part of it
-/// that lies to their left, in units of whole_pixel.
-struct CoverageCell {
-    std::int32_t element = 0;
-    std::int32_t cover = 0;
-    std::int32_t area = 0;
-};
-
-/// Elements [begin, end) are covered by the same amount, 1 to whole_pixel.
-struct CoverageRun {
+/// Elements [begin, end) that the face's edges cross. Element e is covered by LineCoverage::areas[first + e - begin], of
+/// whole_pixel.
+struct PartlyCovered {
     std::int32_t begin = 0;
     std::int32_t end = 0;
-    std::uint32_t coverage = 0;
+    std::size_t first = 0;
 };
 
-/// Coverage of a line by a face's outline, as runs from left to right within [0, elements). `cells` is working storage.
+/// What a face covers of one line: at most two stretches in part, and between them one wholly.
+struct LineCoverage {
+    std::array<PartlyCovered, 2> parts; ///< empty where begin >= end
+    std::int32_t whole_begin = 0;
+    std::int32_t whole_end = 0;
+    std::vector<std::int32_t> areas; ///< 0 to whole_pixel; capacity persists
+};
+
+/// Coverage of a line by a convex face's outline, within [0, elements).
 void cover_line(std::span<const OutlineEdge> outline, std::int32_t line, std::int32_t elements,
-                std::vector<CoverageCell>& cells, std::vector<CoverageRun>& runs);
+                LineCoverage& coverage);
 
 } // namespace linkdig::ig

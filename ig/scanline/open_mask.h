@@ -44,6 +44,20 @@ inline void clear_bits(std::uint64_t* bits, std::uint32_t begin, std::uint32_t e
     bits[last] &= ~to;
 }
 
+/// The bits of a word that lie in [begin, end), which reaches into it.
+inline std::uint64_t bits_between(std::uint32_t word, std::uint32_t begin, std::uint32_t end) {
+    std::uint64_t bits = ~std::uint64_t{0};
+    if (word == begin / word_bits) bits <<= begin % word_bits;
+    if (word == (end - 1) / word_bits) bits &= ~std::uint64_t{0} >> (word_bits - 1 - (end - 1) % word_bits);
+    return bits;
+}
+
+/// Sets the bits of [begin, end), begin < end.
+inline void set_bits(std::uint64_t* bits, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t word = begin / word_bits; word <= (end - 1) / word_bits; ++word)
+        bits[word] |= bits_between(word, begin, end);
+}
+
 inline bool is_set(const std::uint64_t* bits, std::uint32_t at) {
     return (bits[at / word_bits] >> (at % word_bits) & 1U) != 0;
 }

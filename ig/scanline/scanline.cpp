@@ -1,6 +1,7 @@
 #include "ig/scanline/scanline.h"
 
 #include "ig/edges/edges.h"
+#include "ig/prefetch.h"
 #include "ig/scanline/open_mask.h"
 
 #include <algorithm>
@@ -21,7 +22,9 @@ public:
     void run(std::span<const std::uint32_t> ranks, std::span<const BandLight> lights,
              std::span<const SplatPixel> splats) {
         open_all();
-        for (const std::uint32_t rank : ranks) {
+        for (std::size_t k = 0; k < ranks.size(); ++k) {
+            const std::uint32_t rank = ranks[k];
+            fetch_ahead(ranks.subspan(k));
             for (; !lights.empty() && lights.front().rank <= rank; lights = lights.subspan(1))
                 put_light(lights.front(), splats);
             if (open_lines_ == 0) break; // whatever comes now is behind
@@ -39,11 +42,28 @@ public:
     }
 
 private:
+    /// A band's faces stand far apart in memory: asks for those that are soon needed, their edges when they are there.
+    LINKDIG_ALWAYS_INLINE void fetch_ahead(std::span<const std::uint32_t> ranks) const {
+        constexpr std::size_t faces_ahead = 32, edges_ahead = 12;
+        if (ranks.size() > faces_ahead) prefetch(&edges_.faces[ranks[faces_ahead]]);
+        if (ranks.size() <= edges_ahead) return;
+        const EdgeFace& face = edges_.faces[ranks[edges_ahead]];
+        if (smoothing_) {
+            prefetch(edges_.outlines.data() + face.first_outline);
+            prefetch(edges_.outlines.data() + face.first_outline + 2);
+        } else {
+            prefetch(edges_.edges.data() + face.first_edge);
+            prefetch(edges_.edges.data() + face.first_edge + 2);
+        }
+    }
+
     void open_all() {
         const auto lines = static_cast<std::size_t>(end_line_ - first_line_);
         scratch_.open.assign(lines * words_, ~std::uint64_t{0});
-        scratch_.shared.assign(lines * words_, 0);
-        scratch_.pixel.resize(lines * static_cast<std::size_t>(elements_));
+        out_.words = words_;
+        out_.shared.assign(lines * words_, 0);
+        const std::size_t pixels = std::size_t{band_lines} * static_cast<std::size_t>(elements_);
+        if (scratch_.left.size() < pixels) scratch_.left.resize(pixels, whole_pixel);
         const std::uint32_t beyond = words_ * word_bits - static_cast<std::uint32_t>(elements_);
         for (std::size_t line = 0; line < lines && beyond > 0; ++line) {
             scratch_.open[(line + 1) * words_ - 1] >>= beyond;
@@ -58,9 +78,8 @@ private:
             const auto line = static_cast<std::size_t>(splat.line - first_line_);
             const std::size_t words = line * words_;
             if (!is_set(scratch_.open.data() + words, splat.element)) continue;
-            std::uint64_t weight = splat.weight;
-            if (is_set(scratch_.shared.data() + words, splat.element))
-                weight = weight * out_.pixels[index_of(line, splat.element)].left / whole_pixel;
+            const std::uint64_t weight =
+                std::uint64_t{splat.weight} * left_of(line)[splat.element] / whole_pixel;
             if (weight != 0)
                 out_.lights.push_back(
                     {splat.line, splat.element, static_cast<std::uint32_t>(weight), light.light});
@@ -69,14 +88,18 @@ private:
 
     // ---- which elements a face covers ----------------------------------------------------------------------------
 
-    /// Crossings of one side of the face for the band's lines.
+    /// Crossings of one side of the face for the band's lines: first_element(), step by step.
     void cross(const Edge* edges, std::uint32_t count, std::array<std::int32_t, band_lines>& crossing) const {
         for (const Edge* edge = edges; edge != edges + count; ++edge) {
             const std::int32_t from = std::max(edge->first_line, first_line_);
             const std::int32_t to = std::min(edge->end_line, end_line_);
-            for (std::int32_t line = from; line < to; ++line) {
-                crossing[static_cast<std::size_t>(line - first_line_)] =
-                    std::clamp(first_element(*edge, line), 0, elements_);
+            auto at =
+                static_cast<std::uint64_t>(edge->start) +
+                static_cast<std::uint64_t>(from - edge->first_line) * static_cast<std::uint64_t>(edge->slope);
+            for (std::int32_t line = from; line < to; ++line, at += static_cast<std::uint64_t>(edge->slope)) {
+                const auto element =
+                    static_cast<std::int32_t>(static_cast<std::int64_t>(at) >> crossing_bits);
+                crossing[static_cast<std::size_t>(line - first_line_)] = std::clamp(element, 0, elements_);
             }
         }
     }
@@ -89,9 +112,13 @@ private:
         const std::int32_t to = std::min(face_->end_line, end_line_) - first_line_;
         for (std::int32_t line = from; line < to; ++line) {
             const auto l = static_cast<std::size_t>(line);
-            if (scratch_.begin[l] < scratch_.end[l] && scratch_.open_count[l] != 0) {
-                put_run(l, static_cast<std::uint32_t>(scratch_.begin[l]),
-                        static_cast<std::uint32_t>(scratch_.end[l]), whole_pixel);
+            if (scratch_.begin[l] >= scratch_.end[l]) continue;
+            const auto begin = static_cast<std::uint32_t>(scratch_.begin[l]);
+            const auto end = static_cast<std::uint32_t>(scratch_.end[l]);
+            if (face_->blends) {
+                share_evenly(l, begin, end);
+            } else {
+                take(l, begin, end);
             }
         }
     }
@@ -104,71 +131,180 @@ private:
         for (std::int32_t line = from; line < to; ++line) {
             const auto l = static_cast<std::size_t>(line - first_line_);
             if (scratch_.open_count[l] == 0) continue;
-            cover_line(outline, line, elements_, scratch_.cells, scratch_.runs);
-            for (const CoverageRun& run : scratch_.runs) {
-                if (scratch_.open_count[l] == 0) break;
-                put_run(l, static_cast<std::uint32_t>(run.begin), static_cast<std::uint32_t>(run.end),
-                        run.coverage);
+            cover_line(outline, line, elements_, scratch_.coverage);
+            put_covered(l);
+        }
+    }
+
+    void put_covered(std::size_t line) {
+        const LineCoverage& coverage = scratch_.coverage;
+        for (const PartlyCovered& part : coverage.parts) {
+            if (part.begin < part.end)
+                share(line, static_cast<std::uint32_t>(part.begin), static_cast<std::uint32_t>(part.end),
+                      coverage.areas.data() + part.first);
+        }
+        if (coverage.whole_begin < coverage.whole_end) {
+            const auto begin = static_cast<std::uint32_t>(coverage.whole_begin);
+            const auto end = static_cast<std::uint32_t>(coverage.whole_end);
+            if (face_->blends) {
+                share_evenly(line, begin, end);
+            } else {
+                take(line, begin, end);
             }
         }
     }
 
     // ---- what it gets of them ------------------------------------------------------------------------------------
 
-    /// Gives the face at hand what is left of [begin, end) on a line, of which it covers `coverage` of each element.
-    void put_run(std::size_t line, std::uint32_t begin, std::uint32_t end, std::uint32_t coverage) {
+    /// All that is left of [begin, end): segments where nobody else has a share, the rest of the pixels where others do.
+    void take(std::size_t line, std::uint32_t begin, std::uint32_t end) {
+        if (scratch_.open_count[line] == 0) return;
+        std::uint64_t* open = scratch_.open.data() + line * words_;
+        const std::uint64_t* shared = out_.shared.data() + line * words_;
+        if (const std::uint32_t word = begin / word_bits; word == (end - 1) / word_bits) {
+            const std::uint64_t mine = open[word] & bits_between(word, begin, end);
+            if ((mine & shared[word]) == 0) {
+                open[word] ^= mine;
+                take_alone(line, word * word_bits, mine);
+                return;
+            }
+        }
+        std::uint32_t taken = 0;
+        std::uint32_t run_begin = begin,
+                      run_end = begin; // the segment at hand, which may go on in the next word
+        for (std::uint32_t word = begin / word_bits; word * word_bits < end; ++word) {
+            std::uint64_t mine = open[word] & bits_between(word, begin, end);
+            if (mine == 0) continue;
+            open[word] ^= mine;
+            if (const std::uint64_t others = mine & shared[word]; others != 0) {
+                taken += take_rests(line, word * word_bits, others);
+                mine ^= others;
+            }
+            while (mine != 0) {
+                const auto first = static_cast<std::uint32_t>(std::countr_zero(mine));
+                const auto count = static_cast<std::uint32_t>(std::countr_one(mine >> first));
+                const std::uint32_t at = word * word_bits + first;
+                if (at != run_end) {
+                    taken += put_segment(line, run_begin, run_end);
+                    run_begin = at;
+                }
+                run_end = at + count;
+                mine &= first + count < word_bits ? ~std::uint64_t{0} << (first + count) : 0;
+            }
+        }
+        taken += put_segment(line, run_begin, run_end);
+        lose(line, taken);
+    }
+
+    /// Elements of one word, in which nobody else has a share.
+    void take_alone(std::size_t line, std::uint32_t from, std::uint64_t mine) {
+        std::uint32_t taken = 0;
+        while (mine != 0) {
+            const auto first = static_cast<std::uint32_t>(std::countr_zero(mine));
+            const std::uint64_t rest =
+                mine + (std::uint64_t{1} << first); // carries to the first clear bit behind the run
+            const std::uint32_t end =
+                rest == 0 ? word_bits : static_cast<std::uint32_t>(std::countr_zero(rest));
+            mine &= rest;
+            taken += put_segment(line, from + first, from + end);
+        }
+        lose(line, taken);
+    }
+
+    /// These many elements of the line are not open any more.
+    void lose(std::size_t line, std::uint32_t elements) {
+        scratch_.open_count[line] -= elements;
+        if (elements != 0 && scratch_.open_count[line] == 0) --open_lines_;
+    }
+
+    std::uint32_t put_segment(std::size_t line, std::uint32_t begin, std::uint32_t end) {
+        if (begin == end) return 0;
+        out_.segments.push_back({rank_, line_number(line), static_cast<std::uint16_t>(begin),
+                                 static_cast<std::uint16_t>(end - begin)});
+        return end - begin;
+    }
+
+    /// What is left of shared pixels, a word of them; how many they are.
+    std::uint32_t take_rests(std::size_t line, std::uint32_t from, std::uint64_t pixels) {
+        std::uint32_t* left = left_of(line);
+        std::uint32_t taken = 0;
+        while (pixels != 0) {
+            const auto first = static_cast<std::uint32_t>(std::countr_zero(pixels));
+            const auto count = static_cast<std::uint32_t>(std::countr_one(pixels >> first));
+            begin_run(line, from + first, count);
+            for (std::uint32_t k = 0; k < count; ++k)
+                out_.weights.push_back(left[from + first + k]);
+            taken += count;
+            pixels &= first + count < word_bits ? ~std::uint64_t{0} << (first + count) : 0;
+        }
+        return taken;
+    }
+
+    /// Shares of the open elements of [begin, end), of which the face covers these areas. New coverage is at most what
+    /// is left: neighbours of a mesh fill a pixel exactly.
+    void share(std::size_t line, std::uint32_t begin, std::uint32_t end, const std::int32_t* areas) {
         const std::uint64_t* open = scratch_.open.data() + line * words_;
-        const bool alone = coverage == whole_pixel && !face_->blends;
         for (std::uint32_t at = next_set(open, begin, end); at < end;) {
             const std::uint32_t stop = next_clear(open, at, end);
-            if (alone) {
-                take(line, at, stop);
-            } else {
-                for (std::uint32_t element = at; element < stop; ++element)
-                    share(line, element, coverage);
-            }
+            share_open(line, at, stop, areas + (at - begin));
             at = stop < end ? next_set(open, stop, end) : end;
         }
-        if (scratch_.open_count[line] == 0) --open_lines_;
     }
 
-    /// All that is left of a run of open elements: segments, and the rest of pixels that others have shares of.
-    void take(std::size_t line, std::uint32_t begin, std::uint32_t end) {
-        const std::uint64_t* shared = scratch_.shared.data() + line * words_;
-        for (std::uint32_t at = begin; at < end;) {
-            const std::uint32_t stop = next_set(shared, at, end);
-            if (at < stop) {
-                out_.segments.push_back({rank_, line_number(line), static_cast<std::uint16_t>(at),
-                                         static_cast<std::uint16_t>(stop - at)});
-            }
-            at = stop;
-            for (; at < end && is_set(shared, at); ++at) {
-                SharedPixel& pixel = out_.pixels[index_of(line, at)];
-                out_.shares.push_back({rank_, index_of(line, at), pixel.left});
-                pixel.left = 0;
-            }
+    /// The same where it covers them all wholly.
+    void share_evenly(std::size_t line, std::uint32_t begin, std::uint32_t end) {
+        std::vector<std::int32_t>& areas = scratch_.coverage.areas;
+        const std::size_t first = areas.size();
+        areas.resize(first + (end - begin), static_cast<std::int32_t>(whole_pixel));
+        share(line, begin, end, areas.data() + first);
+        areas.resize(first);
+    }
+
+    void share_open(std::size_t line, std::uint32_t begin, std::uint32_t end, const std::int32_t* areas) {
+        for (; begin < end && areas[0] == 0; ++begin)
+            ++areas;
+        for (; begin < end && areas[end - begin - 1] == 0;)
+            --end;
+        if (begin == end) return;
+        set_bits(out_.shared.data() + line * words_, begin, end);
+        begin_run(line, begin, end - begin);
+        const std::size_t first = out_.weights.size();
+        out_.weights.resize(first + (end - begin));
+        std::uint32_t* weights = out_.weights.data() + first;
+        if (!face_->blends) {
+            share_opaque(line, begin, end, areas, weights);
+        } else {
+            for (std::uint32_t element = begin; element < end; ++element)
+                weights[element - begin] =
+                    blend(line, element, static_cast<std::uint32_t>(areas[element - begin]));
         }
-        clear_bits(scratch_.open.data() + line * words_, begin, end);
-        scratch_.open_count[line] -= end - begin;
     }
 
-    /// A share of one open element. New coverage is at most what is left: neighbours of a mesh fill a pixel exactly.
-    void share(std::size_t line, std::uint32_t element, std::uint32_t coverage) {
-        const std::uint32_t index = shared_pixel(line, element);
-        SharedPixel& pixel = out_.pixels[index];
-        const std::uint32_t covered = std::min(coverage, pixel.left);
+    void share_opaque(std::size_t line, std::uint32_t begin, std::uint32_t end, const std::int32_t* areas,
+                      std::uint32_t* weights) {
+        std::uint32_t* left = left_of(line);
+        for (std::uint32_t element = begin; element < end; ++element) {
+            const std::uint32_t weight =
+                std::min(static_cast<std::uint32_t>(areas[element - begin]), left[element]);
+            weights[element - begin] = weight;
+            left[element] -= weight;
+            if (left[element] == 0) close(line, element);
+        }
+    }
+
+    /// The share of one pixel that an additive, a semi-opaque or a fading face gets.
+    std::uint32_t blend(std::size_t line, std::uint32_t element, std::uint32_t coverage) {
+        std::uint32_t& left = left_of(line)[element];
+        const std::uint32_t covered = std::min(coverage, left);
         if (face_->additive) {
-            out_.shares.push_back({rank_, index, part_of(covered, face_->fade)});
-            return;
+            out_.added = true;
+            return part_of(covered, face_->fade);
         }
         const std::uint32_t weight =
-            face_->level < 0 ? part_of(covered, face_->opacity) : fading(pixel, coverage);
-        if (weight == 0) return;
-        out_.shares.push_back({rank_, index, weight});
-        pixel.left -= weight;
-        if (pixel.left != 0) return;
-        clear_bits(scratch_.open.data() + line * words_, element, element + 1);
-        --scratch_.open_count[line];
+            face_->level < 0 ? part_of(covered, face_->opacity) : fading(line, element, coverage, left);
+        left -= weight;
+        if (left == 0) close(line, element);
+        return weight;
     }
 
     static std::uint32_t part_of(std::uint32_t amount, std::uint32_t part) {
@@ -177,29 +313,29 @@ private:
 
     /// A share of a face whose level of detail fades: the level as a whole lets through what is behind it, not each of its
     /// faces what is behind that one.
-    std::uint32_t fading(SharedPixel& pixel, std::uint32_t coverage) const {
-        if (pixel.level != face_->level) {
-            pixel.level = face_->level;
-            pixel.left_by_level = pixel.left;
-        }
+    std::uint32_t fading(std::size_t line, std::uint32_t element, std::uint32_t coverage,
+                         std::uint32_t left) {
+        if (scratch_.fading.size() < scratch_.left.size()) scratch_.fading.resize(scratch_.left.size());
+        fading_ = true;
+        FadingPixel& pixel = scratch_.fading[line * static_cast<std::size_t>(elements_) + element];
+        if (pixel.level != face_->level) pixel = {face_->level, left};
         const std::uint32_t taken = part_of(std::min(coverage, pixel.left_by_level), face_->opacity);
         pixel.left_by_level -= taken;
-        return std::min(part_of(taken, face_->fade), pixel.left);
+        return std::min(part_of(taken, face_->fade), left);
     }
 
-    std::uint32_t& index_of(std::size_t line, std::uint32_t element) {
-        return scratch_.pixel[line * static_cast<std::size_t>(elements_) + element];
+    void close(std::size_t line, std::uint32_t element) {
+        scratch_.open[line * words_ + element / word_bits] ^= std::uint64_t{1} << (element % word_bits);
+        lose(line, 1);
     }
 
-    std::uint32_t shared_pixel(std::size_t line, std::uint32_t element) {
-        std::uint64_t& word = scratch_.shared[line * words_ + element / word_bits];
-        const std::uint64_t bit = std::uint64_t{1} << (element % word_bits);
-        if ((word & bit) == 0) {
-            word |= bit;
-            index_of(line, element) = static_cast<std::uint32_t>(out_.pixels.size());
-            out_.pixels.push_back({line_number(line), static_cast<std::uint16_t>(element)});
-        }
-        return index_of(line, element);
+    void begin_run(std::size_t line, std::uint32_t first, std::uint32_t count) {
+        out_.shares.push_back({rank_, static_cast<std::uint32_t>(out_.weights.size()), line_number(line),
+                               static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(count)});
+    }
+
+    std::uint32_t* left_of(std::size_t line) {
+        return scratch_.left.data() + line * static_cast<std::size_t>(elements_);
     }
 
     std::uint16_t line_number(std::size_t line) const {
@@ -208,21 +344,42 @@ private:
 
     void leave_background() {
         const auto end = static_cast<std::uint32_t>(elements_);
+        rank_ = background_rank;
         for (std::int32_t number = 0; number < end_line_ - first_line_ && open_lines_ != 0; ++number) {
             const auto line = static_cast<std::size_t>(number);
             const std::uint64_t* open = scratch_.open.data() + line * words_;
-            const std::uint64_t* shared = scratch_.shared.data() + line * words_;
-            for (std::uint32_t at = next_set(open, 0, end); at < end; at = next_set(open, at, end)) {
-                if (is_set(shared, at)) {
-                    out_.shares.push_back(
-                        {background_rank, index_of(line, at), out_.pixels[index_of(line, at)].left});
-                    if (++at == end) break;
-                    continue;
-                }
-                const std::uint32_t stop = std::min(next_clear(open, at, end), next_set(shared, at, end));
+            const std::uint64_t* shared = out_.shared.data() + line * words_;
+            for (std::uint32_t word = 0; word < words_; ++word) {
+                if (const std::uint64_t rests = open[word] & shared[word]; rests != 0)
+                    take_rests(line, word * word_bits, rests);
+                scratch_.open[line * words_ + word] &= ~shared[word];
+            }
+            for (std::uint32_t at = next_set(open, 0, end); at < end;) {
+                const std::uint32_t stop = next_clear(open, at, end);
                 out_.background.push_back({background_rank, line_number(line), static_cast<std::uint16_t>(at),
                                            static_cast<std::uint16_t>(stop - at)});
-                if ((at = stop) == end) break;
+                at = stop < end ? next_set(open, stop, end) : end;
+            }
+        }
+        out_.weights.resize(out_.weights.size() + weights_padding);
+        forget_shared();
+    }
+
+    /// Makes the working storage of shared pixels as it was.
+    void forget_shared() {
+        for (std::size_t line = 0; line < static_cast<std::size_t>(end_line_ - first_line_); ++line) {
+            for (std::uint32_t word = 0; word < words_; ++word) {
+                std::uint64_t pixels = out_.shared[line * words_ + word];
+                while (pixels != 0) {
+                    const auto first = static_cast<std::uint32_t>(std::countr_zero(pixels));
+                    const auto count = static_cast<std::uint32_t>(std::countr_one(pixels >> first));
+                    std::uint32_t* left = left_of(line) + word * word_bits + first;
+                    std::fill_n(left, count, whole_pixel);
+                    if (fading_)
+                        std::fill_n(scratch_.fading.begin() + (left - scratch_.left.data()), count,
+                                    FadingPixel{});
+                    pixels &= first + count < word_bits ? ~std::uint64_t{0} << (first + count) : 0;
+                }
             }
         }
     }
@@ -236,6 +393,7 @@ private:
     std::int32_t first_line_;
     std::int32_t end_line_;
     std::uint32_t open_lines_ = 0;
+    bool fading_ = false; ///< some pixel of scratch_.fading is in use
     const EdgeFace* face_ = nullptr;
     std::uint32_t rank_ = 0;
 };
@@ -252,8 +410,9 @@ void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks,
                   std::uint32_t elements, bool smoothing, BandScratch& scratch, BandSegments& segments) {
     segments.segments.clear();
     segments.background.clear();
-    segments.pixels.clear();
     segments.shares.clear();
+    segments.weights.clear();
+    segments.added = false;
     segments.lights.clear();
     BandResolver(edges, elements, smoothing, scratch, segments).run(ranks, lights, splats);
 }

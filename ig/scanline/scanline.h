@@ -14,16 +14,22 @@
 
 namespace linkdig::ig {
 
+/// What is left of an element over which a level of detail fades: those of its faces that stand behind others of the
+/// level stay hidden by them.
+struct FadingPixel {
+    std::int32_t level = -1;
+    std::uint32_t left_by_level = 0;
+};
+
 /// Working storage of one thread.
 struct BandScratch {
-    std::vector<std::uint64_t> open;   ///< a bit per element, whole words per line: 1 = something is left
-    std::vector<std::uint64_t> shared; ///< likewise: 1 = the pixel is in BandSegments::pixels
-    std::vector<std::uint32_t> pixel;  ///< of a shared element: its index there
+    std::vector<std::uint64_t> open; ///< a bit per element, whole words per line: 1 = something is left
+    std::vector<std::uint32_t> left; ///< per element what no face has taken; whole_pixel between bands
+    std::vector<FadingPixel> fading; ///< per element; reset between bands
     std::array<std::uint32_t, band_lines> open_count{}; ///< elements still open on each line
     std::array<std::int32_t, band_lines> begin{};       ///< of the face at hand
     std::array<std::int32_t, band_lines> end{};
-    std::vector<CoverageCell> cells;
-    std::vector<CoverageRun> runs;
+    LineCoverage coverage;
 };
 
 /// Resolves the lines [segments.first_line, segments.end_line), at most band_lines, for the faces of these ranks. With

@@ -1,6 +1,7 @@
 #pragma once
 /// Output of scanline: the visible runs of a band of lines, and the shares of the pixels that several faces have.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,28 +21,23 @@ struct Segment {
 /// A whole pixel, in the units of shares: twice 1/256 x 1/256 pixel, so that areas of trapezia are whole numbers.
 inline constexpr std::uint32_t whole_pixel = 1U << 17U;
 
-/// A pixel that is shared: by faces whose edge crosses it, by a semi-opaque face and what is behind it, or by an
-/// additive face and what it brightens.
-struct SharedPixel {
-    std::uint16_t line = 0;
-    std::uint16_t element = 0;
-    std::uint32_t left = whole_pixel; ///< what no face has taken
-    /// The level of detail that fades over this pixel, and what its faces would have left if it did not: those behind
-    /// others of the level stay hidden by them.
-    std::int32_t level = -1;
-    std::uint32_t left_by_level = 0;
-};
-
 /// The rank that stands for the background in a share.
 inline constexpr std::uint32_t background_rank = ~0U;
 
-/// One face's share of one pixel. Shares of a pixel come front to back; those of ordinary faces and of the background
-/// sum to whole_pixel exactly.
-struct Share {
-    std::uint32_t face = 0;   ///< rank
-    std::uint32_t pixel = 0;  ///< into BandSegments::pixels
-    std::uint32_t weight = 0; ///< of whole_pixel; of an additive face: its coverage
+/// One face's shares of consecutive pixels that it does not have alone: pixels that an edge crosses, that a semi-opaque
+/// face lies before, or that an additive face brightens. Shares of a pixel come front to back; those of ordinary faces
+/// and of the background sum to whole_pixel exactly.
+struct ShareRun {
+    std::uint32_t face = 0; ///< rank
+    std::uint32_t first_weight =
+        0; ///< into BandSegments::weights: of whole_pixel, may be 0; of an additive face its coverage
+    std::uint16_t line = 0;
+    std::uint16_t first = 0;
+    std::uint16_t count = 0;
 };
+
+/// Room behind the last weight, so that whole vectors can be read.
+inline constexpr std::size_t weights_padding = 16;
 
 /// What a light point adds to one pixel, after what is in front of it has taken its part.
 struct LightPixel {
@@ -52,14 +48,17 @@ struct LightPixel {
 };
 
 /// One band, in the order in which it was resolved: by rank, then line, then element. Every element belongs to exactly
-/// one segment, to the background, or to `pixels`.
+/// one segment, to the background, or to the shared pixels.
 struct BandSegments {
     std::uint32_t first_line = 0;
     std::uint32_t end_line = 0;
     std::vector<Segment> segments;
-    std::vector<Segment> background; ///< what no face covers; `face` is meaningless
-    std::vector<SharedPixel> pixels;
-    std::vector<Share> shares;
+    std::vector<Segment> background;   ///< what no face covers; `face` is meaningless
+    std::uint32_t words = 0;           ///< of 64 elements, per line
+    std::vector<std::uint64_t> shared; ///< a bit per element: 1 = a shared pixel
+    std::vector<ShareRun> shares;
+    std::vector<std::uint32_t> weights; ///< and weights_padding more
+    bool added = false;                 ///< some of the shares are of additive faces
     std::vector<LightPixel> lights;
 };
 

@@ -36,7 +36,7 @@ void Air::make_rays(const PictureScale& scale, const Raster& raster) {
     made_raster_ = raster;
     elements_ = raster.elements();
     const bool vertical = raster.scan == Scan::vertical;
-    rays_.resize(std::size_t{raster.width} * raster.height);
+    rays_.resize(std::size_t{raster.width} * raster.height + rays_padding, 1.0F);
     for (std::uint32_t line = 0; line < raster.lines(); ++line) {
         for (std::uint32_t element = 0; element < elements_; ++element) {
             const double column = 256.0 * (vertical ? line : element) + 128.0;

@@ -13,6 +13,7 @@
 #include "ig/configuration.h"
 #include "ig/geometry/projected_face.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,9 @@ namespace linkdig::ig {
 inline constexpr double extinction_at_visibility = 2.996;
 /// Transmission 1.0 in the table; 15 bits, as intensities have in the inner loop.
 inline constexpr std::int32_t transmission_one = 32767;
+
+/// Room behind the last ray length, so that whole vectors can be read.
+inline constexpr std::size_t rays_padding = 64;
 
 /// A channel's air for one frame. Tables are rebuilt only when what they depend on changes.
 class Air {

@@ -5,6 +5,8 @@
 #ifndef LINKDIG_INVERSE_RANGE // this file is compiled once per SIMD level
 #define LINKDIG_INVERSE_RANGE
 namespace linkdig::ig {
+namespace {
+
 /// 1/z over a run: start + (offset + k) * along, and the elements' ray lengths.
 struct InverseRange {
     float start = 0;
@@ -12,6 +14,71 @@ struct InverseRange {
     std::int32_t offset = 0;
     const float* rays = nullptr;
 };
+
+/// Elements over which 1/z runs in float.
+constexpr std::int32_t block_elements = 64;
+
+InverseRange inverse_range(const DepthPlane& depth, const Air& air, std::int32_t line, std::int32_t element) {
+    const std::int32_t block = element & ~(block_elements - 1);
+    InverseRange range;
+    range.start = static_cast<float>((depth.inverse_m + line * depth.across) + block * depth.along);
+    range.along = static_cast<float>(depth.along);
+    range.offset = element - block;
+    range.rays = air.rays(static_cast<std::uint32_t>(line)) + element;
+    return range;
+}
+
+std::uint32_t value_at(const IntensityPlane& plane, std::int32_t line, std::int32_t element) {
+    return plane.value + static_cast<std::uint32_t>(element - plane.reference_element) * plane.along +
+           static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
+}
+
+std::int32_t transmission_in(const InverseRange& range, const Air& air, std::int32_t k) {
+    const float inverse =
+        std::max(range.start + static_cast<float>(range.offset + k) * range.along, least_inverse_m);
+    const float range_m = range.rays[k] / inverse;
+    const float step =
+        std::min(range_m * air.steps_per_m() + 0.5F, static_cast<float>(transmission_entries - 1));
+    return air.transmission()[static_cast<std::int32_t>(step)];
+}
+
+/// Each pixel of the runs by what `shaded` says of its line, element and intensity.
+template <typename Shaded>
+void shade_one_by_one(const IntensityPlane& plane, std::span<const Segment> runs, const BandPixels& pixels,
+                      Shaded shaded) {
+    for (const Segment& run : runs) {
+        std::uint32_t* pixel = pixels.at(run);
+        for (std::int32_t element = run.first; element < run.first + run.count; ++element, ++pixel) {
+            const auto value = static_cast<std::int32_t>(value_at(plane, run.line, element));
+            *pixel = shaded(run.line, element, std::max(plane.least, std::min(value, plane.greatest)));
+        }
+    }
+}
+
+void shade_plainly(const IntensityPlane& plane, Colour colour, std::span<const Segment> runs,
+                   const BandPixels& pixels) {
+    shade_one_by_one(plane, runs, pixels, [&](std::int32_t, std::int32_t, std::int32_t intensity) {
+        return shade(colour, intensity);
+    });
+}
+
+void shade_plainly_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission,
+                           Colour horizon, std::span<const Segment> runs, const BandPixels& pixels) {
+    shade_one_by_one(plane, runs, pixels, [&](std::int32_t, std::int32_t, std::int32_t intensity) {
+        return shade_through_air(colour, intensity, transmission, horizon);
+    });
+}
+
+void shade_plainly_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
+                          std::span<const Segment> runs, const BandPixels& pixels) {
+    shade_one_by_one(plane, runs, pixels,
+                     [&](std::int32_t line, std::int32_t element, std::int32_t intensity) {
+                         return shade_through_air(colour, intensity,
+                                                  transmission_of(depth, air, line, element), air.horizon());
+                     });
+}
+
+} // namespace
 } // namespace linkdig::ig
 #endif
 
@@ -43,29 +110,44 @@ HWY_INLINE hn::Vec<I16> Pair(int low, int high) {
     return hn::BitCast(I16(), hn::Set(I32(), low | high << 16));
 }
 
-/// Intensities of consecutive pixels, clamped to the corners' range, with 15 bits.
+/// Intensities of consecutive pixels of a face, clamped to the corners' range, with 15 bits.
 struct Intensities {
-    HWY_INLINE Intensities(const IntensityPlane& plane, std::uint32_t value)
-        : least(hn::Set(I32(), plane.least)), greatest(hn::Set(I32(), plane.greatest)),
+    HWY_INLINE explicit Intensities(const IntensityPlane& plane)
+        : plane_(plane), least(hn::Set(I32(), plane.least)), greatest(hn::Set(I32(), plane.greatest)),
           one(hn::Set(I32(), 32767)),
           step(hn::Set(
               I32(), static_cast<std::int32_t>(plane.along * static_cast<std::uint32_t>(hn::Lanes(I32()))))),
-          at(hn::Add(hn::Set(I32(), static_cast<std::int32_t>(value)),
-                     hn::Mul(hn::Iota(I32(), 0), hn::Set(I32(), static_cast<std::int32_t>(plane.along))))) {}
+          ramp(hn::Mul(hn::Iota(I32(), 0), hn::Set(I32(), static_cast<std::int32_t>(plane.along)))),
+          at(ramp) {}
+    HWY_INLINE void Begin(std::int32_t line, std::int32_t element) {
+        at = hn::Add(hn::Set(I32(), static_cast<std::int32_t>(value_at(plane_, line, element))), ramp);
+    }
     HWY_INLINE hn::Vec<I32> Next() {
         const auto clamped = hn::Max(least, hn::Min(at, greatest));
         at = hn::Add(at, step);
         return hn::Min(hn::ShiftRight<7>(clamped), one);
     }
-    hn::Vec<I32> least, greatest, one, step, at;
+    const IntensityPlane& plane_;
+    hn::Vec<I32> least, greatest, one, step, ramp, at;
 };
 
-HWY_INLINE void StorePixels(hn::Vec<I16> red_green, hn::Vec<I16> blue, std::uint32_t* HWY_RESTRICT pixels) {
+HWY_INLINE hn::Vec<U32> Packed(hn::Vec<I16> red_green, hn::Vec<I16> blue) {
     const U32 d;
     const auto rg = hn::BitCast(d, red_green);
     const auto b = hn::BitCast(d, blue);
     const auto rg_packed = hn::And(hn::Or(rg, hn::ShiftRight<8>(rg)), hn::Set(d, 0xffffU));
-    hn::StoreU(hn::Or(hn::Or(rg_packed, hn::ShiftLeft<16>(b)), hn::Set(d, 0xff000000U)), d, pixels);
+    return hn::Or(hn::Or(rg_packed, hn::ShiftLeft<16>(b)), hn::Set(d, 0xff000000U));
+}
+
+/// Fills `count` pixels with what `next` makes, a vector at a time; nothing is written behind the last.
+template <typename Next>
+HWY_INLINE void FillRun(std::uint32_t* HWY_RESTRICT pixels, std::size_t count, Next next) {
+    const U32 d;
+    const std::size_t lanes = hn::Lanes(d);
+    std::size_t k = 0;
+    for (; k + lanes <= count; k += lanes)
+        hn::StoreU(next(k), d, pixels + k);
+    if (k < count) hn::BlendedStore(next(k), hn::FirstN(d, count - k), d, pixels + k);
 }
 
 /// As shade_through_air() for each lane.
@@ -79,81 +161,99 @@ struct AirMixer {
         const auto sum = hn::Add(hn::Add(seen, hn::MulFixedPoint15(air, rest)), hn::Set(I16(), 64));
         return hn::ShiftRight<7>(sum);
     }
-    HWY_INLINE void Store(hn::Vec<I32> intensity, hn::Vec<I32> transmission, std::uint32_t* pixels) const {
+    HWY_INLINE hn::Vec<U32> Seen(hn::Vec<I32> intensity, hn::Vec<I32> transmission) const {
         const auto i = BothHalves(intensity);
         const auto t = BothHalves(transmission);
         const auto rest = BothHalves(hn::Sub(hn::Set(I32(), transmission_one), transmission));
-        StorePixels(Mix(rg, horizon_rg, i, t, rest), Mix(b, horizon_b, i, t, rest), pixels);
+        return Packed(Mix(rg, horizon_rg, i, t, rest), Mix(b, horizon_b, i, t, rest));
     }
     hn::Vec<I16> rg, b, horizon_rg, horizon_b;
 };
 
-#endif
+/// 1/z, range and transmission of a run inside one block of elements.
+struct Transmissions {
+    HWY_INLINE Transmissions(const InverseRange& range, const Air& air)
+        : range_(range), table_(air.transmission()), start(hn::Set(F32(), range.start)),
+          along(hn::Set(F32(), range.along)), steps(hn::Set(F32(), air.steps_per_m())) {}
+    /// The order of operations is transmission_of()'s; Mul and Add stay apart.
+    HWY_INLINE hn::Vec<I32> At(std::size_t k, hn::Vec<F32> rays) const {
+        const auto offset =
+            hn::ConvertTo(F32(), hn::Iota(I32(), range_.offset + static_cast<std::int32_t>(k)));
+        const auto inverse = hn::Max(hn::Add(start, hn::Mul(offset, along)), hn::Set(F32(), least_inverse_m));
+        const auto range_m = hn::Div(rays, inverse);
+        const auto step = hn::Min(hn::Add(hn::Mul(range_m, steps), hn::Set(F32(), 0.5F)),
+                                  hn::Set(F32(), static_cast<float>(transmission_entries - 1)));
+        return hn::GatherIndex(I32(), table_, hn::ConvertTo(I32(), step));
+    }
+    const InverseRange& range_;
+    const std::int32_t* table_;
+    hn::Vec<F32> start, along, steps;
+};
 
-std::size_t ShadeRun(const IntensityPlane& plane, Colour colour, std::uint32_t value, std::size_t count,
-                     std::uint32_t* HWY_RESTRICT pixels) {
-    std::size_t k = 0;
-#if HWY_TARGET != HWY_SCALAR
-    const std::size_t lanes = hn::Lanes(I32());
+void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, std::size_t runs,
+               const BandPixels& pixels) {
     const auto red_green = Pair(colour.red, colour.green);
     const auto blue = Pair(colour.blue, 0);
-    Intensities intensities(plane, value);
-    for (; k + lanes <= count; k += lanes) {
-        const auto i = BothHalves(intensities.Next());
-        StorePixels(hn::MulFixedPoint15(i, red_green), hn::MulFixedPoint15(i, blue), pixels + k);
+    Intensities intensities(plane);
+    for (const Segment* end = run + runs; run != end; ++run) {
+        intensities.Begin(run->line, run->first);
+        FillRun(pixels.at(*run), run->count, [&](std::size_t) HWY_ATTR {
+            const auto i = BothHalves(intensities.Next());
+            return Packed(hn::MulFixedPoint15(i, red_green), hn::MulFixedPoint15(i, blue));
+        });
     }
-#else
-    (void)plane, (void)colour, (void)value, (void)count, (void)pixels;
-#endif
-    return k;
 }
 
-std::size_t ShadeRunInHaze(const IntensityPlane& plane, Colour colour, std::uint32_t value,
-                           std::int32_t transmission, Colour horizon, std::size_t count,
-                           std::uint32_t* HWY_RESTRICT pixels) {
-    std::size_t k = 0;
-#if HWY_TARGET != HWY_SCALAR
-    const std::size_t lanes = hn::Lanes(I32());
+void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
+                     const Segment* run, std::size_t runs, const BandPixels& pixels) {
     const AirMixer mixer(colour, horizon);
     const auto t = hn::Set(I32(), transmission);
-    Intensities intensities(plane, value);
-    for (; k + lanes <= count; k += lanes)
-        mixer.Store(intensities.Next(), t, pixels + k);
-#else
-    (void)plane, (void)colour, (void)value, (void)transmission, (void)horizon, (void)count, (void)pixels;
-#endif
-    return k;
+    Intensities intensities(plane);
+    for (const Segment* end = run + runs; run != end; ++run) {
+        intensities.Begin(run->line, run->first);
+        FillRun(pixels.at(*run), run->count,
+                [&](std::size_t) HWY_ATTR { return mixer.Seen(intensities.Next(), t); });
+    }
 }
 
-std::size_t ShadeRunInAir(const IntensityPlane& plane, Colour colour, std::uint32_t value,
-                          const InverseRange& range, const Air& air, std::size_t count,
-                          std::uint32_t* HWY_RESTRICT pixels) {
-    std::size_t k = 0;
-#if HWY_TARGET != HWY_SCALAR
-    const std::size_t lanes = hn::Lanes(I32());
+void ShadeRunsInAir(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
+                    const Segment* run, std::size_t runs, const BandPixels& pixels) {
     const AirMixer mixer(colour, air.horizon());
-    Intensities intensities(plane, value);
-    const auto start = hn::Set(F32(), range.start);
-    const auto along = hn::Set(F32(), range.along);
-    const auto least = hn::Set(F32(), least_inverse_m);
-    const auto steps = hn::Set(F32(), air.steps_per_m());
-    const auto last = hn::Set(F32(), static_cast<float>(transmission_entries - 1));
-    const auto half = hn::Set(F32(), 0.5F);
-    for (; k + lanes <= count; k += lanes) {
-        // The order of operations is transmission_of()'s; Mul and Add stay apart.
-        const auto offset =
-            hn::ConvertTo(F32(), hn::Iota(I32(), range.offset + static_cast<std::int32_t>(k)));
-        const auto inverse = hn::Max(hn::Add(start, hn::Mul(offset, along)), least);
-        const auto range_m = hn::Div(hn::LoadU(F32(), range.rays + k), inverse);
-        const auto step = hn::Min(hn::Add(hn::Mul(range_m, steps), half), last);
-        mixer.Store(intensities.Next(),
-                    hn::GatherIndex(I32(), air.transmission(), hn::ConvertTo(I32(), step)), pixels + k);
+    Intensities intensities(plane);
+    for (const Segment* last = run + runs; run != last; ++run) {
+        const std::int32_t end = run->first + run->count;
+        for (std::int32_t element = run->first, stop = 0; element < end; element = stop) {
+            stop = std::min(end, (element & ~(block_elements - 1)) + block_elements);
+            const auto count = static_cast<std::size_t>(stop - element);
+            const InverseRange range = inverse_range(depth, air, run->line, element);
+            const Transmissions transmissions(range, air);
+            intensities.Begin(run->line, element);
+            FillRun(pixels.at(run->line, static_cast<std::uint32_t>(element)), count,
+                    [&](std::size_t k) HWY_ATTR {
+                        const auto rays = hn::LoadU(
+                            F32(), range.rays + k); // behind the last line there is room for a vector
+                        return mixer.Seen(intensities.Next(), transmissions.At(k, rays));
+                    });
+        }
     }
-#else
-    (void)plane, (void)colour, (void)value, (void)range, (void)air, (void)count, (void)pixels;
-#endif
-    return k;
 }
+
+#else // one lane has no 16-bit halves
+
+void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, std::size_t runs,
+               const BandPixels& pixels) {
+    shade_plainly(plane, colour, {run, runs}, pixels);
+}
+void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
+                     const Segment* run, std::size_t runs, const BandPixels& pixels) {
+    shade_plainly_in_haze(plane, colour, transmission, horizon, {run, runs}, pixels);
+}
+void ShadeRunsInAir(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
+                    const Segment* run, std::size_t runs, const BandPixels& pixels) {
+    shade_plainly_in_air(plane, colour, depth, air, {run, runs}, pixels);
+}
+
+#endif
 
 } // namespace HWY_NAMESPACE
 } // namespace linkdig::ig
@@ -164,83 +264,39 @@ namespace linkdig::ig {
 
 namespace {
 
-HWY_EXPORT(ShadeRun);
-HWY_EXPORT(ShadeRunInHaze);
-HWY_EXPORT(ShadeRunInAir);
+HWY_EXPORT(ShadeRuns);
+HWY_EXPORT(ShadeRunsInHaze);
+HWY_EXPORT(ShadeRunsInAir);
 
 bool plain = false; ///< no SIMD at all; set before threads start, read by them
 
-/// Elements over which 1/z runs in float.
-constexpr std::int32_t block_elements = 64;
-
-std::uint32_t value_at(const IntensityPlane& plane, std::int32_t line, std::int32_t element) {
-    return plane.value + static_cast<std::uint32_t>(element - plane.reference_element) * plane.along +
-           static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
-}
-
-std::int32_t clamped(const IntensityPlane& plane, std::uint32_t value) {
-    const auto i = static_cast<std::int32_t>(value);
-    return i < plane.least ? plane.least : i > plane.greatest ? plane.greatest : i;
-}
-
-InverseRange inverse_range(const DepthPlane& depth, const Air& air, std::int32_t line, std::int32_t element) {
-    const std::int32_t block = element & ~(block_elements - 1);
-    InverseRange range;
-    range.start = static_cast<float>((depth.inverse_m + line * depth.across) + block * depth.along);
-    range.along = static_cast<float>(depth.along);
-    range.offset = element - block;
-    range.rays = air.rays(static_cast<std::uint32_t>(line)) + element;
-    return range;
-}
-
-std::int32_t transmission_in(const InverseRange& range, const Air& air, std::int32_t k) {
-    const float inverse =
-        std::max(range.start + static_cast<float>(range.offset + k) * range.along, least_inverse_m);
-    const float range_m = range.rays[k] / inverse;
-    const float step =
-        std::min(range_m * air.steps_per_m() + 0.5F, static_cast<float>(transmission_entries - 1));
-    return air.transmission()[static_cast<std::int32_t>(step)];
-}
-
 } // namespace
 
-void shade_run(const IntensityPlane& plane, Colour colour, std::int32_t line, std::int32_t element,
-               std::uint32_t count, std::uint32_t* pixels) {
-    std::uint32_t value = value_at(plane, line, element);
-    std::size_t k = plain ? 0 : HWY_DYNAMIC_DISPATCH(ShadeRun)(plane, colour, value, count, pixels);
-    for (value += static_cast<std::uint32_t>(k) * plane.along; k < count; ++k, value += plane.along) {
-        pixels[k] = shade(colour, clamped(plane, value));
+void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segment> runs,
+                const BandPixels& pixels) {
+    if (plain) {
+        shade_plainly(plane, colour, runs, pixels);
+    } else {
+        HWY_DYNAMIC_DISPATCH(ShadeRuns)(plane, colour, runs.data(), runs.size(), pixels);
     }
 }
 
-void shade_run_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
-                       std::int32_t line, std::int32_t element, std::uint32_t count, std::uint32_t* pixels) {
-    std::uint32_t value = value_at(plane, line, element);
-    std::size_t k = plain ? 0
-                          : HWY_DYNAMIC_DISPATCH(ShadeRunInHaze)(plane, colour, value, transmission, horizon,
-                                                                 count, pixels);
-    for (value += static_cast<std::uint32_t>(k) * plane.along; k < count; ++k, value += plane.along) {
-        pixels[k] = shade_through_air(colour, clamped(plane, value), transmission, horizon);
+void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
+                        std::span<const Segment> runs, const BandPixels& pixels) {
+    if (plain) {
+        shade_plainly_in_haze(plane, colour, transmission, horizon, runs, pixels);
+    } else {
+        HWY_DYNAMIC_DISPATCH(ShadeRunsInHaze)
+        (plane, colour, transmission, horizon, runs.data(), runs.size(), pixels);
     }
 }
 
-void shade_run_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
-                      std::int32_t line, std::int32_t element, std::uint32_t count, std::uint32_t* pixels) {
-    const std::int32_t end = element + static_cast<std::int32_t>(count);
-    while (element < end) {
-        const std::int32_t stop = std::min(end, (element & ~(block_elements - 1)) + block_elements);
-        const auto length = static_cast<std::size_t>(stop - element);
-        const InverseRange range = inverse_range(depth, air, line, element);
-        std::uint32_t value = value_at(plane, line, element);
-        std::size_t k =
-            plain ? 0 : HWY_DYNAMIC_DISPATCH(ShadeRunInAir)(plane, colour, value, range, air, length, pixels);
-        for (value += static_cast<std::uint32_t>(k) * plane.along; k < length; ++k, value += plane.along) {
-            pixels[k] =
-                shade_through_air(colour, clamped(plane, value),
-                                  transmission_in(range, air, static_cast<std::int32_t>(k)), air.horizon());
-        }
-        pixels += length;
-        element = stop;
+void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
+                       std::span<const Segment> runs, const BandPixels& pixels) {
+    if (plain) {
+        shade_plainly_in_air(plane, colour, depth, air, runs, pixels);
+    } else {
+        HWY_DYNAMIC_DISPATCH(ShadeRunsInAir)(plane, colour, depth, air, runs.data(), runs.size(), pixels);
     }
 }
 
@@ -266,6 +322,8 @@ std::vector<std::string> missing_simd_levels() {
         if ((missing & target) != 0) levels.emplace_back(hwy::TargetName(target));
     return levels;
 }
+
+bool simd_is_off() { return plain; }
 
 bool use_simd_level(const std::string& level) {
     if (level == "scalar") {

@@ -6,9 +6,12 @@
 
 #include "database/model/visual_database.h"
 #include "ig/edges/edge.h"
+#include "ig/scanline/segment.h"
 #include "ig/video/fog.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,9 +27,21 @@ inline std::uint32_t shade(Colour colour, std::int32_t intensity) {
            ((colour.blue * scale + half) >> 15U) << 16U | 0xff000000U;
 }
 
-/// Shades `count` pixels of a line from `element` on.
-void shade_run(const IntensityPlane& plane, Colour colour, std::int32_t line, std::int32_t element,
-               std::uint32_t count, std::uint32_t* pixels);
+/// Where the elements of a band stand in memory.
+struct BandPixels {
+    std::uint32_t* start = nullptr;
+    std::uint32_t first_line = 0;
+    std::uint32_t length = 0; ///< of a line, elements
+
+    std::uint32_t* at(std::uint32_t line, std::uint32_t element) const {
+        return start + std::size_t{line - first_line} * length + element;
+    }
+    std::uint32_t* at(const Segment& segment) const { return at(segment.line, segment.first); }
+};
+
+/// Shades runs of one face.
+void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segment> runs,
+                const BandPixels& pixels);
 
 /// A colour before it is rounded to levels: components with 7 fraction bits, 0 to 255 * 128.
 struct Components {
@@ -58,13 +73,13 @@ inline std::uint32_t shade_through_air(Colour colour, std::int32_t intensity, st
            0xff000000U;
 }
 
-/// Shades a run through air of one transmission.
-void shade_run_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
-                       std::int32_t line, std::int32_t element, std::uint32_t count, std::uint32_t* pixels);
+/// Shades runs of one face through air of one transmission.
+void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
+                        std::span<const Segment> runs, const BandPixels& pixels);
 
-/// Shades a run whose range is taken at every pixel.
-void shade_run_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
-                      std::int32_t line, std::int32_t element, std::uint32_t count, std::uint32_t* pixels);
+/// Shades runs of one face whose range is taken at every pixel.
+void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
+                       std::span<const Segment> runs, const BandPixels& pixels);
 
 /// Transmission of one pixel, as the runs compute it: 1/z is taken in double at the start of each 64 elements and in
 /// float from there, so that it depends on the pixel alone.
@@ -80,5 +95,8 @@ std::vector<std::string> missing_simd_levels();
 /// Uses this level from now on ("" or "best": the best there is). False if the machine lacks it; then nothing
 /// changes.
 bool use_simd_level(const std::string& level);
+
+/// "scalar" is in use.
+bool simd_is_off();
 
 } // namespace linkdig::ig

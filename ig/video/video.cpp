@@ -1,6 +1,7 @@
 #include "ig/video/video.h"
 
 #include "ig/edges/edges.h"
+#include "ig/prefetch.h"
 #include "ig/video/colour_run.h"
 
 #include <algorithm>
@@ -8,19 +9,6 @@
 namespace linkdig::ig {
 
 namespace {
-
-/// Where the elements of a line stand in a plane of the picture: a row on a horizontal scan, a column on a
-/// vertical one.
-template <typename Value>
-void fill_plane(const Raster& raster, const Segment& segment, Value value, std::vector<Value>& plane) {
-    if (plane.empty()) return;
-    const bool horizontal = raster.scan == Scan::horizontal;
-    const std::size_t start = horizontal ? std::size_t{segment.line} * raster.width + segment.first
-                                         : std::size_t{segment.first} * raster.width + segment.line;
-    const std::size_t step = horizontal ? 1 : raster.width;
-    for (std::size_t k = 0; k < segment.count; ++k)
-        plane[start + k * step] = value;
-}
 
 void plane_intensities(const Raster& raster, const IntensityPlane& plane, const Segment& segment,
                        VideoFrame& frame) {
@@ -33,67 +21,38 @@ void plane_intensities(const Raster& raster, const IntensityPlane& plane, const 
     }
 }
 
-/// The band's lines, element after element: the picture's own rows on a horizontal scan.
-class BeamBuffer {
-public:
-    BeamBuffer(const Raster& raster, const BandSegments& band, VideoScratch& scratch, VideoFrame& frame)
-        : vertical_(raster.scan == Scan::vertical), length_(raster.elements()), first_line_(band.first_line),
-          lines_(band.end_line - band.first_line), frame_(frame) {
-        if (vertical_) scratch.lines.resize(std::size_t{band_lines} * length_);
-        start_ = vertical_ ? scratch.lines.data() : frame.pixels.data() + std::size_t{first_line_} * length_;
-    }
-
-    std::uint32_t* at(const Segment& segment) const {
-        return start_ + std::size_t{segment.line - first_line_} * length_ + segment.first;
-    }
-
-    /// Lines that are columns go into the picture a row of the band at a time.
-    void finish() const {
-        if (!vertical_) return;
-        for (std::uint32_t row = 0; row < length_; ++row) {
-            std::uint32_t* out = frame_.pixels.data() + std::size_t{row} * frame_.width + first_line_;
-            for (std::uint32_t line = 0; line < lines_; ++line)
-                out[line] = start_[std::size_t{line} * length_ + row];
-        }
-    }
-
-private:
-    bool vertical_;
-    std::uint32_t length_;
-    std::uint32_t first_line_;
-    std::uint32_t lines_;
-    VideoFrame& frame_;
-    std::uint32_t* start_ = nullptr;
-};
-
 /// A flat face's intensity as a plane that does not slope.
 IntensityPlane level_plane(std::int32_t intensity) {
     return {.value = static_cast<std::uint32_t>(intensity), .least = intensity, .greatest = intensity};
 }
 
-void draw_segment(const VideoInput& input, const ProjectedFace& face, const IntensityPlane& intensity,
-                  const Segment& segment, std::uint32_t* pixels) {
+void fill_runs(std::uint32_t pixel, std::span<const Segment> runs, const BandPixels& pixels) {
+    for (const Segment& run : runs)
+        std::fill_n(pixels.at(run), run.count, pixel);
+}
+
+/// Runs of one face with one colour code.
+void draw_runs(const VideoInput& input, const ProjectedFace& face, const IntensityPlane& intensity,
+               std::span<const Segment> runs, const BandPixels& pixels) {
     const Colour colour = input.colours[face.colour];
     const Air& air = *input.air;
     const bool level = intensity.least == intensity.greatest;
     if (air.clear() || face.depth < 0) {
         if (level) {
-            std::fill_n(pixels, segment.count, shade(colour, intensity.least));
+            fill_runs(shade(colour, intensity.least), runs, pixels);
         } else {
-            shade_run(intensity, colour, segment.line, segment.first, segment.count, pixels);
+            shade_runs(intensity, colour, runs, pixels);
         }
         return;
     }
     const DepthPlane& depth = input.projected->depths[static_cast<std::size_t>(face.depth)];
     std::int32_t transmission = 0;
     if (!air.is_flat(depth, transmission)) {
-        shade_run_in_air(intensity, colour, depth, air, segment.line, segment.first, segment.count, pixels);
+        shade_runs_in_air(intensity, colour, depth, air, runs, pixels);
     } else if (level) {
-        std::fill_n(pixels, segment.count,
-                    shade_through_air(colour, intensity.least, transmission, air.horizon()));
+        fill_runs(shade_through_air(colour, intensity.least, transmission, air.horizon()), runs, pixels);
     } else {
-        shade_run_in_haze(intensity, colour, transmission, air.horizon(), segment.line, segment.first,
-                          segment.count, pixels);
+        shade_runs_in_haze(intensity, colour, transmission, air.horizon(), runs, pixels);
     }
 }
 
@@ -125,110 +84,44 @@ void plane_colours(const Raster& raster, const IntensityPlane* planes, const Seg
     }
 }
 
-constexpr std::uint32_t brightest = 255U << 7U; ///< of Components
-
-/// Adds up the shares of the band's shared pixels, front to back, and writes each pixel once.
-class ShareSummer {
-public:
-    ShareSummer(const VideoInput& input, const Raster& raster, const BandSegments& band,
-                VideoScratch& scratch)
-        : input_(input), raster_(raster), band_(band), sums_(scratch.sums), pending_(scratch.pending) {
-        sums_.assign(band.pixels.size(), {});
-        pending_.clear();
-    }
-
-    void add_up() {
-        for (const Share& share : band_.shares) {
-            if (share.face == background_rank) {
-                add(share, lit(input_.background, intensity_one), none, none, true);
-                continue;
-            }
-            const ProjectedFace& face = input_.projected->faces[share.face];
-            std::int32_t intensity = 0;
-            const Components shown = lit_share(share, face, intensity);
-            if (face.added_to != none) {
-                wait(share, through(share, face, shown, true), face.added_to);
-            } else {
-                add(share, through(share, face, shown, false), static_cast<std::int32_t>(face.list),
-                    intensity, face.opacity >= opaque);
-            }
-        }
-    }
-
-    void write(const BeamBuffer& beam, VideoFrame& frame) const {
-        for (std::size_t k = 0; k < sums_.size(); ++k) {
-            const PixelSum& sum = sums_[k];
-            const Segment at{sum.rank, band_.pixels[k].line, band_.pixels[k].element, 1};
-            constexpr std::uint32_t half = whole_pixel << 6U;
-            *beam.at(at) = ((sum.red + half) >> 24U) | ((sum.green + half) >> 24U) << 8U |
-                           ((sum.blue + half) >> 24U) << 16U | 0xff000000U;
-            fill_plane(raster_, at, static_cast<std::int32_t>(sum.rank), frame.rank);
-            fill_plane(raster_, at, sum.intensity, frame.intensity);
-        }
-    }
-
-private:
-    Components lit_share(const Share& share, const ProjectedFace& face, std::int32_t& intensity) const {
-        const EdgeFace& edges = input_.edges->faces[share.face];
-        const SharedPixel& pixel = band_.pixels[share.pixel];
-        const IntensityPlane* planes = input_.edges->planes.data() + std::max(edges.plane, 0);
+/// The runs of one face.
+void draw_face(const VideoInput& input, const Raster& raster, std::span<const Segment> runs,
+               const BandPixels& pixels, VideoFrame& frame) {
+    const std::uint32_t rank = runs.front().face;
+    const ProjectedFace& face = input.projected->faces[rank];
+    const EdgeFace& edges = input.edges->faces[rank];
+    const IntensityPlane* planes = input.edges->planes.data() + std::max(edges.plane, 0);
+    const IntensityPlane intensity = edges.plane >= 0 ? *planes : level_plane(face.intensity);
+    if (!edges.coloured) draw_runs(input, face, intensity, runs, pixels);
+    for (const Segment& run : runs) {
+        fill_plane(raster, run, static_cast<std::int32_t>(rank), frame.rank);
         if (edges.coloured) {
-            const Tint tint = tint_at(planes, pixel.line, pixel.element);
-            intensity = brightest_of(tint);
-            return lit(tint);
+            draw_coloured_segment(input, face, planes, run, pixels.at(run));
+            plane_colours(raster, planes, run, frame);
+        } else {
+            plane_intensities(raster, intensity, run, frame);
         }
-        intensity = edges.plane < 0 ? face.intensity : intensity_at(*planes, pixel.line, pixel.element);
-        return lit(input_.colours[face.colour], intensity);
     }
+}
 
-    /// Light that is added brings no horizon of its own: the face behind it does.
-    Components through(const Share& share, const ProjectedFace& face, const Components& shown,
-                       bool added) const {
-        const Air& air = *input_.air;
-        if (air.clear() || face.depth < 0) return shown;
-        const DepthPlane& depth = input_.projected->depths[static_cast<std::size_t>(face.depth)];
-        const SharedPixel& pixel = band_.pixels[share.pixel];
-        std::int32_t transmission = 0;
-        if (!air.is_flat(depth, transmission))
-            transmission = transmission_of(depth, air, pixel.line, pixel.element);
-        return through_air(shown, transmission, added ? Colour{} : air.horizon());
+/// Asks for the faces that are soon needed, their planes when they are there.
+LINKDIG_ALWAYS_INLINE void fetch_ahead(const VideoInput& input, std::span<const Segment> runs) {
+    constexpr std::size_t faces_ahead = 64, planes_ahead = 24;
+    if (runs.size() > faces_ahead) {
+        prefetch(&input.projected->faces[runs[faces_ahead].face]);
+        prefetch(&input.edges->faces[runs[faces_ahead].face]);
     }
+    if (runs.size() > planes_ahead)
+        prefetch(input.edges->planes.data() + std::max(input.edges->faces[runs[planes_ahead].face].plane, 0));
+}
 
-    void wait(const Share& share, const Components& light, std::int32_t added_to) {
-        PixelSum& sum = sums_[share.pixel];
-        const auto part = [&share](std::uint32_t component) {
-            return static_cast<std::uint32_t>((std::uint64_t{component} * share.weight) / whole_pixel);
-        };
-        pending_.push_back({part(light.red), part(light.green), part(light.blue), added_to, sum.pending});
-        sum.pending = static_cast<std::int32_t>(pending_.size() - 1);
-    }
-
-    /// Adds a share, brightened by the additive faces in front of it that name its list; clamps once. Added
-    /// light falls on all opaque faces that divide the pixel among them (or a mesh would show its seams through
-    /// it), and ends at a semi-opaque one, which lies before the whole pixel.
-    void add(const Share& share, Components seen, std::int32_t list, std::int32_t intensity, bool is_opaque) {
-        PixelSum& sum = sums_[share.pixel];
-        for (std::int32_t k = sum.pending; k >= 0; k = pending_[static_cast<std::size_t>(k)].before) {
-            const PendingLight& light = pending_[static_cast<std::size_t>(k)];
-            if (light.added_to != list || list == none) continue;
-            seen = {seen.red + light.red, seen.green + light.green, seen.blue + light.blue};
-        }
-        if (!is_opaque) sum.pending = -1;
-        sum.red += std::min(seen.red, brightest) * share.weight;
-        sum.green += std::min(seen.green, brightest) * share.weight;
-        sum.blue += std::min(seen.blue, brightest) * share.weight;
-        if (share.weight <= sum.rank_weight) return;
-        sum.rank_weight = share.weight;
-        sum.rank = share.face;
-        sum.intensity = intensity;
-    }
-
-    const VideoInput& input_;
-    const Raster& raster_;
-    const BandSegments& band_;
-    std::vector<PixelSum>& sums_;
-    std::vector<PendingLight>& pending_;
-};
+/// The runs that follow each other and are of one face.
+std::span<const Segment> first_face(std::span<const Segment> runs) {
+    std::size_t count = 1;
+    while (count < runs.size() && runs[count].face == runs.front().face)
+        ++count;
+    return runs.first(count);
+}
 
 } // namespace
 
@@ -243,30 +136,19 @@ void open_frame(const Raster& raster, bool intensity, bool rank, VideoFrame& fra
 
 void draw_band(const VideoInput& input, const Raster& raster, const BandSegments& band, VideoScratch& scratch,
                VideoFrame& frame) {
-    const BeamBuffer beam(raster, band, scratch, frame);
-    for (const Segment& segment : band.segments) {
-        const ProjectedFace& face = input.projected->faces[segment.face];
-        const std::int32_t plane = input.edges->faces[segment.face].plane;
-        fill_plane(raster, segment, static_cast<std::int32_t>(segment.face), frame.rank);
-        if (input.edges->faces[segment.face].coloured) {
-            const IntensityPlane* planes = input.edges->planes.data() + plane;
-            draw_coloured_segment(input, face, planes, segment, beam.at(segment));
-            plane_colours(raster, planes, segment, frame);
-            continue;
-        }
-        const IntensityPlane intensity =
-            plane >= 0 ? input.edges->planes[static_cast<std::size_t>(plane)] : level_plane(face.intensity);
-        draw_segment(input, face, intensity, segment, beam.at(segment));
-        plane_intensities(raster, intensity, segment, frame);
+    const BeamBuffer beam(raster, band, scratch.lines, frame);
+    for (std::span<const Segment> left = band.segments; !left.empty();) {
+        const std::span<const Segment> runs = first_face(left);
+        fetch_ahead(input, left);
+        draw_face(input, raster, runs, beam.pixels(), frame);
+        left = left.subspan(runs.size());
     }
     for (const Segment& segment : band.background) {
-        std::fill_n(beam.at(segment), segment.count, shade(input.background, intensity_one));
+        std::fill_n(beam.pixels().at(segment), segment.count, shade(input.background, intensity_one));
         fill_plane(raster, segment, std::int32_t{none}, frame.intensity);
         fill_plane(raster, segment, std::int32_t{none}, frame.rank);
     }
-    ShareSummer shares(input, raster, band, scratch);
-    shares.add_up();
-    shares.write(beam, frame);
+    draw_shares(input, raster, band, beam, scratch.shares, frame);
     beam.finish();
     scratch.light_pixels =
         add_lights(input.projected->lights, input.light_colours, raster, band, scratch.lights, frame);

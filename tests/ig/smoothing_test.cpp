@@ -7,6 +7,7 @@
 #include "ig/edges/edges.h"
 #include "ig/machine/machine.h"
 #include "ig/scanline/bands.h"
+#include "ig/scanline/open_mask.h"
 #include "ig/scanline/scanline.h"
 #include "ig/video/video.h"
 
@@ -108,15 +109,18 @@ TEST(Smoothing, CoverageIsTheAreaOfTheOutline) {
         projected.faces = {add_polygon(seed, seed % 3 == 0 ? 60 : 6, projected)};
         FaceEdges edges;
         make_edges(projected, {side, side, Scan::horizontal}, true, edges);
-        std::vector<CoverageCell> cells;
-        std::vector<CoverageRun> runs;
+        LineCoverage coverage;
         for (std::int32_t line = edges.faces[0].first_line; line < edges.faces[0].end_line; ++line) {
-            cover_line(edges.outlines, line, side, cells, runs);
+            cover_line(edges.outlines, line, side, coverage);
             std::vector<double> covered(side, 0.0);
-            for (const CoverageRun& run : runs) {
-                for (std::int32_t e = run.begin; e < run.end; ++e)
-                    covered[static_cast<std::size_t>(e)] += run.coverage / static_cast<double>(whole_pixel);
+            for (const PartlyCovered& part : coverage.parts) {
+                for (std::int32_t e = part.begin; e < part.end; ++e)
+                    covered[static_cast<std::size_t>(e)] +=
+                        coverage.areas[part.first + static_cast<std::size_t>(e - part.begin)] /
+                        static_cast<double>(whole_pixel);
             }
+            for (std::int32_t e = coverage.whole_begin; e < coverage.whole_end; ++e)
+                covered[static_cast<std::size_t>(e)] += 1.0;
             for (std::size_t e = 0; e < side; ++e) {
                 const double exact =
                     area_in_pixel(outline_of(projected, projected.faces[0]), static_cast<double>(e), line);
@@ -164,13 +168,18 @@ TEST(Smoothing, NeighboursOfAMeshFillEveryPixelExactly) {
         draw(projected, {{200, 0, 0}, {0, 200, 0}}, bands);
         for (const BandSegments& band : bands) {
             EXPECT_TRUE(band.background.empty());
-            std::vector<std::uint64_t> total(band.pixels.size(), 0);
-            for (const Share& share : band.shares) {
-                EXPECT_NE(share.face, background_rank);
-                total[share.pixel] += share.weight;
+            const std::size_t length = std::size_t{band.words} * word_bits;
+            std::vector<std::uint64_t> total(band.shared.size() * word_bits, 0);
+            for (const ShareRun& run : band.shares) {
+                EXPECT_NE(run.face, background_rank);
+                for (std::size_t k = 0; k < run.count; ++k)
+                    total[(run.line - band.first_line) * length + run.first + k] +=
+                        band.weights[run.first_weight + k];
             }
-            for (const std::uint64_t weight : total)
-                ASSERT_EQ(weight, whole_pixel);
+            for (std::size_t k = 0; k < total.size(); ++k) {
+                const bool is_shared = is_set(band.shared.data(), static_cast<std::uint32_t>(k));
+                ASSERT_EQ(total[k], is_shared ? whole_pixel : 0U);
+            }
         }
     }
 }

@@ -1,0 +1,32 @@
+#include "ig/video/beam.h"
+
+namespace linkdig::ig {
+
+namespace {
+
+/// A line's pixels are this much apart from the next line's beyond their number: or, in a picture of 1024 rows, the
+/// pixels of a row would all want the same place in the cache.
+constexpr std::uint32_t line_gap = 16;
+
+} // namespace
+
+BeamBuffer::BeamBuffer(const Raster& raster, const BandSegments& band, std::vector<std::uint32_t>& lines,
+                       VideoFrame& frame)
+    : vertical_(raster.scan == Scan::vertical), lines_(band.end_line - band.first_line),
+      frame_(frame), pixels_{nullptr, band.first_line, raster.elements() + (vertical_ ? line_gap : 0)} {
+    if (vertical_) lines.resize(std::size_t{band_lines} * pixels_.length);
+    pixels_.start =
+        vertical_ ? lines.data() : frame.pixels.data() + std::size_t{band.first_line} * pixels_.length;
+}
+
+void BeamBuffer::finish() const {
+    if (!vertical_) return;
+    const std::size_t length = pixels_.length;
+    for (std::size_t row = 0; row < length - line_gap; ++row) {
+        std::uint32_t* out = frame_.pixels.data() + row * frame_.width + pixels_.first_line;
+        for (std::size_t line = 0; line < lines_; ++line)
+            out[line] = pixels_.start[line * length + row];
+    }
+}
+
+} // namespace linkdig::ig

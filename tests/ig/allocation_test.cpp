@@ -1,0 +1,94 @@
+// Once it has seen its largest frame, the machine asks for no memory.
+
+#include "database/compiler/compile.h"
+#include "database/format/name_directory.h"
+#include "host/loop/host_loop.h"
+#include "host/scenario/scenario.h"
+#include "ig/machine/machine.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* allocated(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size != 0 ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+
+} // namespace
+
+// The whole test program counts; what its memory is taken from stays as it is.
+void* operator new(std::size_t size) { return allocated(size); }
+void* operator new[](std::size_t size) { return allocated(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace linkdig::ig {
+namespace {
+
+/// Every 20th frame of the shipped flight, from the hover over the deck to the far sea.
+struct ShippedFlight {
+    VisualDatabase database;
+    std::vector<FramePacket> packets;
+};
+
+ShippedFlight shipped_flight(float visibility_m) {
+    const host::ScenarioResult loaded =
+        host::load_scenario(LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml");
+    EXPECT_TRUE(loaded.scenario) << loaded.diagnostics.text();
+    const database::CompileResult compiled = database::compile_file(loaded.scenario->database_path);
+    EXPECT_TRUE(compiled.database) << compiled.diagnostics.text();
+    ShippedFlight flight{*compiled.database, {}};
+    host::HostLoop loop(*loaded.scenario, database::name_directory(flight.database, 0), 30.0);
+    for (std::uint64_t frame = 0; frame < 600; frame += 20) {
+        flight.packets.push_back(loop.packet(frame, {}));
+        flight.packets.back().visibility_m = visibility_m;
+    }
+    return flight;
+}
+
+std::size_t allocations_of(const ShippedFlight& flight, const Configuration& configuration) {
+    Machine machine(flight.database, configuration);
+    for (int round = 0; round < 2; ++round)
+        for (const FramePacket& packet : flight.packets)
+            machine.frame(packet);
+    const std::size_t before = allocations;
+    for (const FramePacket& packet : flight.packets)
+        machine.frame(packet);
+    return allocations - before;
+}
+
+TEST(Allocation, CountsWhatIsAllocated) {
+    const std::size_t before = allocations;
+    std::vector<int> some(1000);
+    EXPECT_EQ(some.size(), 1000U);
+    EXPECT_EQ(allocations - before, 1U);
+}
+
+TEST(Allocation, NoneAfterWarmUp) {
+    for (const float visibility_m : {0.0F, 3000.0F}) {
+        const ShippedFlight flight = shipped_flight(visibility_m);
+        for (const bool smoothing : {false, true}) {
+            for (const Scan scan : {Scan::horizontal, Scan::vertical}) {
+                const Configuration configuration{
+                    .raster = {320, 240, scan}, .edge_smoothing = smoothing, .threads = 1};
+                EXPECT_EQ(allocations_of(flight, configuration), 0U)
+                    << "visibility " << visibility_m << " m, smoothing " << smoothing << ", "
+                    << (scan == Scan::vertical ? "vertical" : "horizontal") << " scan";
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace linkdig::ig
