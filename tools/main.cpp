@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
     linkdig::tools::add_why(app, exit_code);
     linkdig::tools::add_check(app, exit_code);
     linkdig::tools::add_compare(app, exit_code);
+    linkdig::tools::add_bench(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {

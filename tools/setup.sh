@@ -3,11 +3,12 @@
 #
 #   tools/setup.sh demo    what building and flying needs
 #   tools/setup.sh test    that, and what the tests need
+#   tools/setup.sh bench   what building needs, and the renderer that tools/bench.sh measures against
 #
 # Exit codes: 0 done, 2 bad usage, 3 the packages cannot be installed here.
 set -euo pipefail
 
-usage() { sed -n '4,5s/^# *//p' "${BASH_SOURCE[0]}"; }
+usage() { sed -n '4,6s/^# *//p' "${BASH_SOURCE[0]}"; }
 fail() {
     printf 'setup: error: %s\n' "$@" >&2
     exit 3
@@ -26,10 +27,13 @@ test_packages=(
     xvfb xdotool ffmpeg openimageio-tools chromium
 )
 
+bench_packages=(libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri libgtest-dev libgmock-dev python3)
+
 set_name=${1:-demo}
 case $set_name in
 demo) packages=("${demo_packages[@]}") ;;
 test) packages=("${demo_packages[@]}" "${test_packages[@]}") ;;
+bench) packages=("${demo_packages[@]}" "${bench_packages[@]}") ;;
 -h | --help) usage && exit 0 ;;
 *) usage >&2 && exit 2 ;;
 esac
