@@ -10,6 +10,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 namespace linkdig::tools {
 namespace {
@@ -64,6 +66,9 @@ constexpr std::array scenes{
           {{{Signal::occulting, 2.0}}}},
 };
 
+/// "3.2.1" of "3.2.1  Wake: a white V": the picture bears the whole title.
+std::string section_of(std::string_view title) { return std::string(title.substr(0, title.find("  "))); }
+
 } // namespace
 
 void film(const Findings& findings, double seconds) {
@@ -84,7 +89,7 @@ void film(const Findings& findings, double seconds) {
             ig::VideoFrame picture = stage.draw(stage.packet(frame, signals));
             write_over(picture, scene.title, glyphs);
             film.add(picture);
-            if (frame == frames / 2) sheet.place(place++, picture, scene.title);
+            if (frame == frames / 2) sheet.place(place++, picture, section_of(scene.title));
         }
     }
     film.finish();
