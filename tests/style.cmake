@@ -6,7 +6,9 @@ add_test(NAME layering.self_test COMMAND Python3::Interpreter ${layering}/self_t
 add_test(NAME style.format COMMAND bash ${CMAKE_SOURCE_DIR}/tools/format.sh)
 add_test(NAME docs.walk COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/walk_test.py
     ${CMAKE_SOURCE_DIR} $<TARGET_FILE:linkdig>)
-set_tests_properties(layering.tree layering.self_test style.format docs.walk
+add_test(NAME docs.frame_in_detail COMMAND Python3::Interpreter
+    ${CMAKE_CURRENT_SOURCE_DIR}/docs/frame_in_detail_test.py ${CMAKE_SOURCE_DIR})
+set_tests_properties(layering.tree layering.self_test style.format docs.walk docs.frame_in_detail
     PROPERTIES LABELS style SKIP_RETURN_CODE 77)
 
 # clang-tidy, a stamp per source file: only what changed is looked at again, but a header's change concerns every file.

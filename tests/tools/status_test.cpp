@@ -33,6 +33,13 @@ TEST(Status, TellsFrameTimeEdgesAndOverruns) {
     EXPECT_EQ(lines[0], "frame   123    2.05 s  edges   1234  overruns 7");
 }
 
+TEST(Status, TellsWhatEachStageTook) {
+    const ig::StageTimes stages = {
+        .active_s = 0.0001, .geometry_s = 0.00125, .scanline_s = 0.012, .video_s = 1e-6};
+    EXPECT_EQ(stage_line(stages), "active 0.10  priority 0.00  geometry 1.25  edges 0.00  lights 0.00  "
+                                  "bands 0.00  scanline 12.00  video 0.00 ms");
+}
+
 TEST(Status, TheSunIsThatOfTheSeasList) {
     EXPECT_NEAR(sea_sun_elevation_deg(one_sea(), packet_with(1.0F, 0.5F)), 30.0, 1e-5);
     FramePacket overridden = packet_with(1.0F, 0.5F);

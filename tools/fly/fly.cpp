@@ -137,6 +137,7 @@ private:
     void draw(const Shown& wanted, std::uint64_t overruns) {
         const bool next = !shown_ || shown_->frame != wanted.frame;
         before_ = next ? flight_.history() : before_;
+        flight_.machine().measure_stages(true);
         report_ = flight_.draw(wanted.frame, wanted.signals);
         report_.overruns = overruns;
         if (recording_ && next) recording_->write(flight_.packet());
@@ -191,6 +192,7 @@ private:
     void put_panel(std::vector<std::string>& lines) const {
         for (std::string& line : load_lines(flight_, report_))
             lines.push_back(std::move(line));
+        lines.push_back(stage_line(flight_.machine().stage_times()));
         for (std::string& line : method_lines(flight_.loop(), shown_->signals))
             lines.push_back(std::move(line));
         for (std::string& line : sun_lines(flight_.database(), flight_.packet()))

@@ -49,6 +49,15 @@ std::vector<std::string> load_lines(const Flight& flight, const FrameReport& rep
     return lines;
 }
 
+std::string stage_line(const ig::StageTimes& stages) {
+    constexpr double ms = 1000.0;
+    return fmt::format("active {:.2f}  priority {:.2f}  geometry {:.2f}  edges {:.2f}  lights {:.2f}  "
+                       "bands {:.2f}  scanline {:.2f}  video {:.2f} ms",
+                       ms * stages.active_s, ms * stages.priority_s, ms * stages.geometry_s,
+                       ms * stages.edges_s, ms * stages.lights_s, ms * stages.bands_s, ms * stages.scanline_s,
+                       ms * stages.video_s);
+}
+
 std::vector<std::string> method_lines(const host::HostLoop& loop, const host::SignalValues& signals) {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < loop.ship_methods().size(); ++i) {

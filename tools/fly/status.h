@@ -4,6 +4,7 @@
 #include "host/packet/frame_packet.h"
 #include "host/packet/frame_report.h"
 #include "host/signals/signals.h"
+#include "ig/machine/stage_times.h"
 #include "tools/flight/flight.h"
 
 #include <string>
@@ -17,6 +18,9 @@ double sea_sun_elevation_deg(const VisualDatabase& database, const FramePacket& 
 
 /// What the last frame cost: host and image generator in milliseconds, edges, segments, crossings; a line per channel.
 std::vector<std::string> load_lines(const Flight& flight, const FrameReport& report);
+
+/// The machine's load, stage by stage, in milliseconds; of scanline and video, which threads share, the sum over the threads.
+std::string stage_line(const ig::StageTimes& stages);
 
 /// Each ship's occulting and wakes, and how the sea moves.
 std::vector<std::string> method_lines(const host::HostLoop& loop, const host::SignalValues& signals);
