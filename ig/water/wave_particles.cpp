@@ -2,9 +2,11 @@
 
 #include "database/model/mathematics.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace linkdig::ig {
@@ -128,12 +130,19 @@ void WaveParticles::advance(double duration_s, std::span<const Quay> quays, Wave
     const auto too_low = [this](const WaveParticle& particle) {
         return !(std::fabs(particle.amplitude) >= kind_.least_amplitude);
     };
-    for (WaveParticle& particle : particles_) {
-        const Vec2d before = particle.position();
-        particle.travelled += way;
-        particle.amplitude *= fade;
-        if (!quays.empty() && reflect(particle, before, quays)) ++count.reflected;
-    }
+    std::atomic<std::uint32_t> reflected = 0;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, particles_.size(), 1024), [&](const auto& range) {
+        std::uint32_t here = 0;
+        for (std::size_t k = range.begin(); k < range.end(); ++k) {
+            WaveParticle& particle = particles_[k];
+            const Vec2d before = particle.position();
+            particle.travelled += way;
+            particle.amplitude *= fade;
+            if (!quays.empty() && reflect(particle, before, quays)) ++here;
+        }
+        reflected += here;
+    });
+    count.reflected += reflected;
     // Parts are looked at again in their turn, as they come after the rest.
     for (std::size_t k = 0; k < particles_.size(); ++k) {
         WaveParticle& particle = particles_[k];
