@@ -1,7 +1,8 @@
 #include "ig/edges/edges.h"
 
+#include "ig/floor.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace linkdig::ig {
 
@@ -13,12 +14,6 @@ constexpr std::int64_t half_pixel = std::int64_t{1} << (crossing_bits - 1);
 /// than 2^-36 pixel, different positions differ by at least 2^-32, so one minus this turns "floor" into an
 /// exact "ceiling".
 constexpr std::int64_t tie = std::int64_t{1} << (crossing_bits - 34);
-
-/// std::floor() of a number below 2^62, without a call on processors of the baseline.
-std::int64_t floor_of(double value) {
-    const auto whole = static_cast<std::int64_t>(value);
-    return whole - (static_cast<double>(whole) > value ? 1 : 0);
-}
 
 /// First line whose centre is at or below `coordinate` (1/256 pixel).
 std::int32_t first_line_at(std::int32_t coordinate) { return (coordinate + 127) >> 8; }

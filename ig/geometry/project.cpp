@@ -1,5 +1,6 @@
 #include "ig/geometry/project.h"
 
+#include "ig/floor.h"
 #include "ig/geometry/depth_plane.h"
 #include "ig/geometry/project_lights.h"
 
@@ -29,12 +30,7 @@ constexpr double least_forward = 1e-8;
 constexpr ClipPlane near_plane{.c = 1.0, .e = least_forward - near_plane_m, .constant = -least_forward};
 
 /// To the nearest whole number. |value| < 2^62.
-double snap(double value) {
-    const double raised = value + 0.5;
-    const auto whole =
-        static_cast<double>(static_cast<std::int64_t>(raised)); // std::floor() is a call on the baseline
-    return whole > raised ? whole - 1.0 : whole;
-}
+double snap(double value) { return static_cast<double>(floor_of(value + 0.5)); }
 
 class Projector {
 public:
