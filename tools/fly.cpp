@@ -59,13 +59,15 @@ int run(const FlyOptions& options) {
     Flight flight(request);
     Window window("linkdig fly: " + flight.scenario().name, request.configuration.raster.width,
                   request.configuration.raster.height);
-    const FlyResult flown = fly(flight, window,
-                                {.updates = options.frames.value_or(0),
-                                 .record = options.record,
-                                 .state = options.state,
-                                 .panel = true});
+    FlyRequest flown_as{.updates = options.frames.value_or(0), .state = options.state, .panel = true};
+    if (!options.record.empty()) {
+        flown_as.record = options.record;
+        flown_as.record_at_once = true;
+    }
+    const FlyResult flown = fly(flight, window, flown_as);
     summarise(flight, flown.overruns);
-    if (!options.record.empty()) fmt::print("{}: {} packets\n", options.record, flown.recorded);
+    for (const Recorded& each : flown.recordings)
+        fmt::print("{}: {} packets\n", each.path, each.packets);
     return ExitCode::done;
 }
 
@@ -81,7 +83,8 @@ void add_fly(CLI::App& app, int& exit_code) {
                      "Draw this many frames; default: the scenario's, or until quit")
         ->check(CLI::Range(1, 1000000));
     command->add_option("--out", options->out, "Folder of the files")->capture_default_str();
-    command->add_option("--record", options->record, "Keep what is flown in this recording");
+    command->add_option("--record", options->record,
+                        "Keep what is flown in this recording, from the first frame");
     command->add_option("--state", options->state, "File of the keys F9 and F10")->capture_default_str();
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
     command->add_option("--profile", options->profile, "Machine profile")

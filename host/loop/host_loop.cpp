@@ -74,11 +74,12 @@ void HostLoop::turn_the_normals(std::uint64_t frame, const SignalValues& signals
     packet_.suns[sun->row] = sun_vector(held);
 }
 
+/// A ship that slows down keeps her motion in the seaway: its table or its waves go on with the clock, only her way does not.
 void HostLoop::move_ships(double time_s, const SignalValues& signals) {
     const MotionFactors factors{.all = signals[Signal::ship_motion],
                                 .pitch = signals[Signal::pitch_amplitude]};
     for (const Ship& each : ships_) {
-        const Steering steering = each.track.at(time_s);
+        const Steering steering = each.track.at(way_s(time_s, signals));
         packet_.moving_objects[each.row] = ship_at(steering, each.mover.at(time_s, steering), factors);
     }
 }
@@ -96,11 +97,11 @@ void HostLoop::point_slots(std::uint64_t frame, const SignalValues& signals) {
 }
 
 void HostLoop::look(std::uint64_t frame, const SignalValues& signals) {
-    const Pose own_ship = own_ship_.at(frame, signals);
+    pose_ = own_ship_.at(frame, signals);
     const Attitude head =
-        mounted(own_ship.attitude, view_offsets[static_cast<std::size_t>(signals[Signal::view])]);
+        mounted(pose_.attitude, view_offsets[static_cast<std::size_t>(signals[Signal::view])]);
     for (std::size_t i = 0; i < packet_.channels.size(); ++i) {
-        packet_.channels[i].eye_m = own_ship.position_m;
+        packet_.channels[i].eye_m = pose_.position_m;
         packet_.channels[i].attitude = mounted(head, mounts_[i]);
     }
 }
@@ -131,6 +132,24 @@ SignalValues HostLoop::with_sea_sun_rate(const SignalValues& signals, double rat
     const double after = sun.position(frame, changed[Signal::sea_sun_rate]).azimuth_rad;
     changed.set(Signal::sea_sun_azimuth, modulo(signals[Signal::sea_sun_azimuth] + before - after, two_pi));
     return changed;
+}
+
+SignalValues HostLoop::with_ship_speed(const SignalValues& signals, double factor,
+                                       std::uint64_t frame) const {
+    SignalValues changed = signals;
+    changed.set(Signal::ship_speed, factor);
+    const double time_s = static_cast<double>(frame) / update_rate_hz_;
+    const double lost = signals[Signal::ship_speed] - changed[Signal::ship_speed];
+    changed.set(Signal::ship_way, signals[Signal::ship_way] + lost * time_s);
+    return changed;
+}
+
+std::vector<std::uint32_t> HostLoop::ship_rows() const {
+    std::vector<std::uint32_t> rows;
+    rows.reserve(ships_.size());
+    for (const Ship& each : ships_)
+        rows.push_back(each.row);
+    return rows;
 }
 
 SignalValues HostLoop::with_sea_sun_elevation_rate(const SignalValues& signals, double rate_rad_s,

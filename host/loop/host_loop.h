@@ -13,6 +13,7 @@
 #include "host/signals/signals.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace linkdig::host {
@@ -47,15 +48,29 @@ public:
     SignalValues with_sea_sun_elevation_rate(const SignalValues& signals, double rate_rad_s,
                                              std::uint64_t frame) const;
 
+    /// The same for the ships: ship_speed, with ship_way.
+    SignalValues with_ship_speed(const SignalValues& signals, double factor, std::uint64_t frame) const;
+
     /// What each ship shows and can show, in the scenario's order; names as in the scenario.
     const std::vector<ShipMethods>& ship_methods() const { return methods_; }
     const std::vector<std::string>& ship_names() const { return ship_names_; }
     bool can_turn_normals() const { return !sea_normals_.empty(); }
     SeaMethod sea_method(const SignalValues& signals) const;
 
+    /// Of the scenario.
+    std::size_t channels() const { return mounts_.size(); }
     /// Frames of the whole scenario, at least 1.
     std::uint64_t frames() const { return frames_; }
     double update_rate_hz() const { return update_rate_hz_; }
+
+    /// Where the own ship was in the last packet; a channel's attitude is hers with the view and its mount.
+    const Pose& own_ship() const { return pose_; }
+    /// Rows of FramePacket::moving_objects that are the scenario's ships, in its order.
+    std::vector<std::uint32_t> ship_rows() const;
+    /// Row of FramePacket::suns of the first sun that the sea's signals reach, if there is one.
+    std::optional<std::uint32_t> sea_sun_row() const {
+        return sea_suns_.empty() ? std::nullopt : std::optional(sea_suns_.front().row);
+    }
 
 private:
     struct TurningSun {
@@ -114,6 +129,7 @@ private:
     std::vector<Pointer> pointers_;
     std::vector<Attitude> mounts_; ///< of the channels on the own ship
     OwnShip own_ship_;
+    Pose pose_;
     std::vector<ShipMethods> methods_; ///< parallel to ships_
     std::vector<std::string> ship_names_;
     SeaMethod sea_method_ = SeaMethod::sun;

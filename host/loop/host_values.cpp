@@ -17,8 +17,9 @@ auto values_of(State& state) {
 void keep_host_values(const SignalValues& signals, const std::optional<HelicopterState>& own_ship,
                       FramePacket& packet) {
     packet.host_values.clear(); // keeps its memory
+    // Whether packets are written is nothing that a packet says: a flight is the same with and without a recording.
     for (const SignalDefinition& each : signal_directory())
-        if (signals[each.signal] != each.initial)
+        if (signals[each.signal] != each.initial && each.signal != Signal::record)
             packet.host_values.push_back({static_cast<std::uint32_t>(each.signal), signals[each.signal]});
     if (!own_ship) return;
     std::uint32_t index = first_own_ship_value;

@@ -24,8 +24,12 @@ struct OwnShipProgram {
     MotionHistory path;    ///< not empty: position in the world, heading, pitch, roll
     bool fixed = false;    ///< the approach's first point and aim for ever
 
-    Pose at(double time_s) const;
+    /// `way_s`: the time that the ship beside has been under way.
+    Pose at(double time_s, double way_s) const;
 };
+
+/// How long the ships have been under way at a time: as long, unless somebody has changed their speed.
+double way_s(double time_s, const SignalValues& signals);
 
 class OwnShip {
 public:
@@ -43,8 +47,8 @@ public:
     void resume(std::uint64_t frame, const std::optional<HelicopterState>& state);
 
 private:
-    void take_over(std::uint64_t frame);
-    HelicopterState on_the_program(std::uint64_t frame) const;
+    void take_over(std::uint64_t frame, const SignalValues& signals);
+    HelicopterState on_the_program(std::uint64_t frame, const SignalValues& signals) const;
 
     OwnShipProgram program_;
     std::optional<HelicopterState> begins_with_;

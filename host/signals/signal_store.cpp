@@ -36,6 +36,13 @@ void SignalStore::change_over(Signal signal) {
 void SignalStore::restore() {
     for (const SignalDefinition& each : signal_directory())
         write(each.signal, each.initial);
+    ++overwritten_;
+}
+
+void SignalStore::assign(const SignalValues& values) {
+    for (const SignalDefinition& each : signal_directory())
+        if (each.kind != SignalKind::pulse) write(each.signal, values[each.signal]);
+    ++overwritten_;
 }
 
 double SignalStore::value(Signal signal) const { return values_[static_cast<std::size_t>(signal)].load(); }

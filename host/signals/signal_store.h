@@ -5,6 +5,7 @@
 #include "host/signals/signals.h"
 
 #include <atomic>
+#include <cstdint>
 
 namespace linkdig::host {
 
@@ -23,13 +24,20 @@ public:
     void change_over(Signal signal);
     /// All signals back to their initial values.
     void restore();
+    /// All signals but the pulses take these values, as when a saved flight is taken up again.
+    void assign(const SignalValues& values);
+    /// How often all signals were overwritten at once, by the two calls above: switches that stand somewhere tell their state anew.
+    std::uint64_t overwritten() const { return overwritten_.load(); }
 
     double value(Signal signal) const;
     /// The values as they stand; pulses are taken, and stand at 0 afterwards.
     SignalValues snapshot();
 
 private:
+    static_assert(std::atomic<double>::is_always_lock_free); // who writes never keeps the loop waiting
+
     std::array<std::atomic<double>, signal_count> values_;
+    std::atomic<std::uint64_t> overwritten_{0};
 };
 
 } // namespace linkdig::host

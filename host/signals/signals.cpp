@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace linkdig::host {
 
@@ -52,7 +53,19 @@ constexpr std::array<SignalDefinition, signal_count> directory{{
     {Signal::stick_right, "stick_right", level, -1, 1, 0, "", "stick: starboard down"},
     {Signal::pedals_right, "pedals_right", level, -1, 1, 0, "", "pedals: nose to starboard"},
     {Signal::collective, "collective", level, -1, 1, 0, "", "up"},
+    {Signal::ship_speed, "ship_speed", level, 0, 2, 1, "", "factor on the ships' speeds"},
+    {Signal::ship_way, "ship_way", level, -1e6, 1e6, 0, "s",
+     "added to the time that the ships are under way"},
+    {Signal::record, "record", toggle, 0, 1, 0, "", "packets are written to a recording"},
+    {Signal::channel_select, "channel_select", selector, 0, 7, 0, "",
+     "channel that the window shows; beyond the scenario's the last"},
 }};
+
+/// What people call some of them who know only one sun and one sea.
+constexpr std::array<std::pair<const char*, Signal>, 3> other_names{
+    {{"sun_elevation", Signal::sea_sun_elevation},
+     {"sun_rate", Signal::sea_sun_rate},
+     {"occulting_method", Signal::occulting}}};
 
 constexpr bool in_order_of_enumeration() {
     for (std::size_t i = 0; i < directory.size(); ++i)
@@ -70,14 +83,18 @@ const SignalDefinition& definition(Signal signal) { return directory[static_cast
 std::optional<Signal> find_signal(std::string_view name) {
     for (const SignalDefinition& each : directory)
         if (name == each.name) return each.signal;
+    for (const auto& [other, signal] : other_names)
+        if (name == other) return signal;
     return std::nullopt;
 }
 
 std::vector<std::string> signal_names() {
     std::vector<std::string> names;
-    names.reserve(directory.size());
+    names.reserve(directory.size() + other_names.size());
     for (const SignalDefinition& each : directory)
         names.emplace_back(each.name);
+    for (const auto& [other, signal] : other_names)
+        names.emplace_back(other);
     return names;
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 /// The named signals between the people at the controls and the host loop: keyboard, joystick and panels
 /// write them, the loop reads them once per frame. The directory is fixed, and only ever grows at its end: recordings name
-/// signals by their place in it. Initial values mean "as the
-/// scenario says".
+/// signals by their place in it. Initial values mean "as the scenario says".
 
 #include <array>
 #include <cstddef>
@@ -45,8 +44,12 @@ enum class Signal : std::uint8_t {
     stick_right,
     pedals_right,
     collective,
+    ship_speed,
+    ship_way,
+    record,
+    channel_select,
 };
-inline constexpr std::size_t signal_count = 29;
+inline constexpr std::size_t signal_count = 33;
 
 enum class SignalKind : std::uint8_t {
     toggle,   ///< 0 or 1 (a switch)
@@ -69,6 +72,7 @@ struct SignalDefinition {
 /// All signals, in the order of the enumeration.
 std::span<const SignalDefinition> signal_directory();
 const SignalDefinition& definition(Signal signal);
+/// By its name in the directory, or by a shorter one that people use: sun_elevation, sun_rate, occulting_method.
 std::optional<Signal> find_signal(std::string_view name);
 std::vector<std::string> signal_names();
 

@@ -1,6 +1,7 @@
 #include "tools/fly/controls.h"
 
 #include "host/loop/simulation_counter.h"
+#include "host/loop/steady_rates.h"
 
 #include <gmock/gmock.h>
 
@@ -20,14 +21,16 @@ host::HostLoop small_loop() {
                              .least_elevation_rad = 0.0,
                              .greatest_elevation_rad = 1.5});
     scenario.ships.push_back(
-        {.moving_object = {"ship", {}}, .position_m = {}, .heading_rad = 0, .speed_mps = 0, .motion = {}});
+        {.moving_object = {"ship", {}}, .position_m = {}, .heading_rad = 0, .speed_mps = 8, .motion = {}});
     scenario.approaches.push_back(
         {.ship = {"ship", {}},
          .duration_s = 20.0,
          .path_m = {Vec3d(-400, 0, 50), Vec3d(-300, 0, 40), Vec3d(-200, 0, 30), Vec3d(-100, 0, 20)},
          .first_aim_m = {},
          .last_aim_m = {}});
-    scenario.channels.push_back({.name = "ahead", .horizontal_field_rad = 1.0, .vertical_field_rad = 0.8});
+    for (const char* channel : {"ahead", "left"})
+        scenario.channels.push_back(
+            {.name = channel, .horizontal_field_rad = 1.0, .vertical_field_rad = 0.8});
     database::NameDirectory directory;
     directory.suns = {"ocean"};
     directory.moving_objects = {"ship"};
@@ -38,14 +41,17 @@ class Controls : public testing::Test {
 protected:
     void press(Action action, int times = 1) {
         for (int i = 0; i < times; ++i)
-            apply(action, loop_, frame_, signals_, screen_);
+            apply(action, loop_, signals_, screen_);
     }
     /// The frame on the screen after the next update.
-    std::uint64_t update() { return frame_ = counter_.next(signals_.snapshot()); }
+    std::uint64_t update() {
+        return frame_ = counter_.next(rates_.follow(signals_.snapshot(), loop_, frame_, signals_));
+    }
     host::HostLoop loop_ = small_loop();
     host::SimulationCounter counter_;
     std::uint64_t frame_ = 0;
     SignalStore signals_;
+    host::SteadyRates rates_;
     Screen screen_;
 };
 
@@ -91,9 +97,11 @@ TEST_F(Controls, TheSeaChangesItsPaceWithoutAJump) {
         update();
     const Vec3f before = loop_.packet(frame_, standing(signals_)).suns[0];
     const Vec3f unchanged = loop_.packet(frame_ + 1, standing(signals_)).suns[0];
+    const std::uint64_t frame = frame_;
     press(Action::sea_sun_faster, 4);
-    const Vec3f after = loop_.packet(frame_, standing(signals_)).suns[0];
-    const Vec3f faster = loop_.packet(frame_ + 1, standing(signals_)).suns[0];
+    update();
+    const Vec3f after = loop_.packet(frame, standing(signals_)).suns[0];
+    const Vec3f faster = loop_.packet(frame + 1, standing(signals_)).suns[0];
     EXPECT_NEAR(glm::length(after - before), 0.0, 1e-6);
     EXPECT_NEAR(glm::length(faster - before), 2.0 * glm::length(unchanged - before), 1e-4);
 }
@@ -131,6 +139,41 @@ TEST_F(Controls, ResetPutsBackEverythingButThePause) {
     host::SignalValues expected;
     expected.set(Signal::freeze, 1.0);
     EXPECT_EQ(standing(signals_), expected);
+}
+
+TEST_F(Controls, AResetFlightIsStillRecorded) {
+    press(Action::record);
+    press(Action::reset);
+    EXPECT_EQ(signals_.value(Signal::record), 1.0);
+    press(Action::record);
+    EXPECT_EQ(signals_.value(Signal::record), 0.0);
+}
+
+TEST_F(Controls, ShipsChangeTheirSpeedWithoutAJump) {
+    for (int i = 0; i < 50; ++i)
+        update();
+    const auto ahead_m = [&](std::uint64_t frame) {
+        return loop_.packet(frame, standing(signals_)).moving_objects[0].position_m.x;
+    };
+    const std::uint64_t frame = frame_;
+    const double before = ahead_m(frame);
+    const double step = ahead_m(frame + 1) - before;
+    EXPECT_GT(step, 0.1);
+    press(Action::ship_faster, 5);
+    update();
+    EXPECT_NEAR(ahead_m(frame), before, 1e-9);
+    EXPECT_NEAR(ahead_m(frame + 1) - before, 1.5 * step, 1e-9);
+    press(Action::ship_slower, 40);
+    EXPECT_EQ(signals_.value(Signal::ship_speed), 0.0);
+    update();
+    EXPECT_NEAR(ahead_m(frame_ + 9), ahead_m(frame_), 1e-9) << "she has stopped";
+}
+
+TEST_F(Controls, TheLastChannelIsFollowedByTheFirst) {
+    press(Action::next_channel);
+    EXPECT_EQ(signals_.value(Signal::channel_select), 1.0);
+    press(Action::next_channel);
+    EXPECT_EQ(signals_.value(Signal::channel_select), 0.0);
 }
 
 TEST_F(Controls, HelpAndQuitAreNoSignals) {

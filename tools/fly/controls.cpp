@@ -17,24 +17,11 @@ void step(SignalStore& signals) {
 }
 
 void reset(SignalStore& signals) {
-    const double frozen = signals.value(Signal::freeze);
-    signals.restore();
-    signals.write(Signal::freeze, frozen);
+    host::SignalValues first;
+    for (const Signal kept : {Signal::freeze, Signal::record})
+        first.set(kept, signals.value(kept));
+    signals.assign(first);
     signals.write(Signal::reset, 1.0);
-}
-
-void change_sea_rate(double by, const host::HostLoop& loop, std::uint64_t frame, SignalStore& signals) {
-    const double rate = signals.value(Signal::sea_sun_rate) + by;
-    const host::SignalValues changed = loop.with_sea_sun_rate(standing(signals), rate, frame);
-    signals.write(Signal::sea_sun_rate, changed[Signal::sea_sun_rate]);
-    signals.write(Signal::sea_sun_azimuth, changed[Signal::sea_sun_azimuth]);
-}
-
-void change_elevation_rate(double by, const host::HostLoop& loop, std::uint64_t frame, SignalStore& signals) {
-    const double rate = signals.value(Signal::sea_sun_elevation_rate) + by;
-    const host::SignalValues changed = loop.with_sea_sun_elevation_rate(standing(signals), rate, frame);
-    signals.write(Signal::sea_sun_elevation_rate, changed[Signal::sea_sun_elevation_rate]);
-    signals.write(Signal::sea_sun_elevation_phase, changed[Signal::sea_sun_elevation_phase]);
 }
 
 /// The value after `now`, and after the last the first again.
@@ -48,7 +35,7 @@ void go_on(Signal signal, std::initializer_list<double> values, SignalStore& sig
 }
 
 /// Actions that write one signal.
-bool write_signal(Action action, const host::HostLoop& loop, std::uint64_t frame, SignalStore& signals) {
+bool write_signal(Action action, SignalStore& signals) {
     switch (action) {
     case Action::pause:
         signals.change_over(Signal::freeze);
@@ -61,20 +48,23 @@ bool write_signal(Action action, const host::HostLoop& loop, std::uint64_t frame
     case Action::sun_down:
         return signals.add(Signal::sea_sun_elevation, -sun_step_rad);
     case Action::sea_sun_slower:
-        change_sea_rate(-sea_rate_step, loop, frame, signals);
-        return true;
+        return signals.add(Signal::sea_sun_rate, -sea_rate_step);
     case Action::sea_sun_faster:
-        change_sea_rate(sea_rate_step, loop, frame, signals);
-        return true;
+        return signals.add(Signal::sea_sun_rate, sea_rate_step);
     case Action::earlier:
         return signals.add(Signal::time_of_day, -hour_step);
     case Action::later:
         return signals.add(Signal::time_of_day, hour_step);
     case Action::elevation_rate_down:
-        change_elevation_rate(-elevation_rate_step_rad_s, loop, frame, signals);
-        return true;
+        return signals.add(Signal::sea_sun_elevation_rate, -elevation_rate_step_rad_s);
     case Action::elevation_rate_up:
-        change_elevation_rate(elevation_rate_step_rad_s, loop, frame, signals);
+        return signals.add(Signal::sea_sun_elevation_rate, elevation_rate_step_rad_s);
+    case Action::ship_slower:
+        return signals.add(Signal::ship_speed, -ship_speed_step);
+    case Action::ship_faster:
+        return signals.add(Signal::ship_speed, ship_speed_step);
+    case Action::record:
+        signals.change_over(Signal::record);
         return true;
     case Action::view_ahead:
     case Action::view_left:
@@ -93,6 +83,11 @@ bool write_signal(Action action, const host::HostLoop& loop, std::uint64_t frame
 /// Actions that choose among methods.
 bool choose_method(Action action, const host::HostLoop& loop, SignalStore& signals) {
     switch (action) {
+    case Action::next_channel: {
+        const std::size_t next = static_cast<std::size_t>(signals.value(Signal::channel_select)) + 1;
+        return signals.write(Signal::channel_select,
+                             next < loop.channels() ? static_cast<double>(next) : 0.0);
+    }
     case Action::smooth_shading:
         signals.change_over(Signal::smooth_shading);
         return true;
@@ -170,9 +165,8 @@ void change_screen(Action action, Screen& screen) {
 
 } // namespace
 
-void apply(Action action, const host::HostLoop& loop, std::uint64_t frame, host::SignalStore& signals,
-           Screen& screen) {
-    if (write_signal(action, loop, frame, signals) || choose_method(action, loop, signals)) return;
+void apply(Action action, const host::HostLoop& loop, host::SignalStore& signals, Screen& screen) {
+    if (write_signal(action, signals) || choose_method(action, loop, signals)) return;
     change_screen(action, screen);
 }
 
@@ -190,6 +184,13 @@ host::SignalValues standing(const SignalStore& signals) {
     for (const host::SignalDefinition& each : host::signal_directory())
         if (each.kind != host::SignalKind::pulse) values.set(each.signal, signals.value(each.signal));
     return values;
+}
+
+host::SignalValues without_pulses(const host::SignalValues& values) {
+    host::SignalValues kept = values;
+    for (const host::SignalDefinition& each : host::signal_directory())
+        if (each.kind == host::SignalKind::pulse) kept.set(each.signal, 0.0);
+    return kept;
 }
 
 const char* view_name(const host::SignalValues& signals) {

@@ -2,8 +2,9 @@
 
 #include "host/loop/frame_clock.h"
 #include "host/loop/host_values.h"
+#include "host/loop/instruments.h"
 #include "host/loop/simulation_counter.h"
-#include "host/packet/recording.h"
+#include "host/loop/steady_rates.h"
 #include "tools/flight/bad_input.h"
 #include "tools/flight/saved_state.h"
 #include "tools/fly/controls.h"
@@ -13,8 +14,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace linkdig::tools {
@@ -34,21 +37,30 @@ class Cockpit {
 public:
     Cockpit(Flight& flight, Window& window, const FlyRequest& request, RetroDisplay* display)
         : flight_(flight), window_(window), request_(request), display_(display),
-          today_(flight.configuration()), reload_(flight.scenario().database_path, flight.database_files()) {
+          today_(flight.configuration()),
+          signals_(request.signals != nullptr ? *request.signals : own_signals_),
+          indications_(request.indications != nullptr ? *request.indications : own_indications_),
+          instruments_(flight.loop()), recordings_(request.record),
+          reload_(flight.scenario().database_path, flight.database_files()) {
         screen_.panel = request.panel;
         text_[1].corner = TextBlock::Corner::bottom_left;
-        if (!request.record.empty())
-            recording_.emplace(request.record, flight.recording_header(), flight.history());
+        if (!request.record_at_once) return;
+        recordings_.follow(true, flight);
+        signals_.write(Signal::record, 1.0);
     }
 
     /// One update, `slots` after the one before; false when somebody has quit.
     bool update(std::uint64_t slots, std::uint64_t overruns) {
         take_controls();
         look_at_database();
-        const std::uint64_t frame = counter_.next(signals_.snapshot(), slots);
+        const host::SignalValues now =
+            rates_.follow(signals_.snapshot(), flight_.loop(), counter_.frame(), signals_);
+        const std::uint64_t frame = counter_.next(now, slots);
         if (screen_.of_1980 != (shown_ && shown_->of_1980)) change_profile();
-        const Shown wanted{updated(frame), standing(signals_), screen_.of_1980};
+        follow_recording(now);
+        const Shown wanted{updated(frame), without_pulses(now), screen_.of_1980};
         if (shown_ != wanted) draw(wanted, overruns);
+        instruments_.read(flight_.loop(), flight_.packet(), overruns, indications_);
         if (std::exchange(screen_.save_state, false)) save();
         if (std::exchange(screen_.load_state, false)) load();
         if (std::exchange(screen_.switch_effect, false)) switch_effect(wanted);
@@ -59,22 +71,20 @@ public:
 
     /// A field of the picture that was drawn last; a display is built for the pictures of one profile.
     void show(std::uint32_t field) {
-        const ig::VideoFrame& picture = flight_.machine().picture(0);
+        const auto selected = static_cast<std::size_t>(shown_->signals[Signal::channel_select]);
+        const std::size_t channel = std::min(selected, flight_.loop().channels() - 1);
+        const ig::VideoFrame& picture = flight_.machine().picture(channel);
         const bool plain = display_ == nullptr || screen_.of_1980;
         window_.show(plain ? picture : display_->show(picture, field), text_);
     }
 
-    std::uint64_t recorded() const { return recording_ ? recording_->packets() : 0; }
-    void finish() {
-        if (recording_) recording_->close();
-    }
+    const std::vector<Recorded>& finish() { return recordings_.finish(); }
 
 private:
     void take_controls() {
         const bool by_hand = signals_.value(Signal::hands_on) != 0.0 || flies_by_hand();
         for (const Action action : window_.actions())
-            if (!by_hand || !is_stick(action))
-                apply(action, flight_.loop(), counter_.frame(), signals_, screen_);
+            if (!by_hand || !is_stick(action)) apply(action, flight_.loop(), signals_, screen_);
         if (!by_hand) return;
         const Sticks sticks = window_.sticks();
         signals_.write(Signal::stick_fore, sticks.fore);
@@ -95,7 +105,7 @@ private:
         std::optional<DatabaseReload::Outcome> outcome = reload_.poll();
         if (!outcome) return;
         if (!outcome->database) return refuse_database(outcome->refused);
-        if (recording_) {
+        if (recordings_.active()) {
             told_ = "the database has changed; this recording keeps the one that it began with";
             return;
         }
@@ -125,6 +135,16 @@ private:
         return frame / step * step;
     }
 
+    /// What cannot be written does not end the flight.
+    void follow_recording(const host::SignalValues& now) {
+        try {
+            recordings_.follow(now.on(Signal::record), flight_);
+        } catch (const std::runtime_error& refused) {
+            signals_.write(Signal::record, 0.0);
+            told_ = refused.what();
+        }
+    }
+
     void change_profile() {
         ig::Configuration configuration = today_;
         if (screen_.of_1980) {
@@ -140,7 +160,7 @@ private:
         flight_.machine().measure_stages(true);
         report_ = flight_.draw(wanted.frame, wanted.signals);
         report_.overruns = overruns;
-        if (recording_ && next) recording_->write(flight_.packet());
+        if (next) recordings_.write(flight_.packet());
         shown_ = wanted;
     }
 
@@ -154,14 +174,20 @@ private:
             const SavedState state = load_state(request_.state, flight_.database_id());
             report_ = flight_.resume(state.packet, state.history);
             const host::SignalValues signals = host::signals_of(state.packet);
-            for (const host::SignalDefinition& each : host::signal_directory())
-                signals_.write(each.signal, signals[each.signal]);
+            take_over(signals);
             counter_.resume(state.packet.frame);
             shown_ = Shown{state.packet.frame, standing(signals_), screen_.of_1980};
             told_ = fmt::format("frame {} of {}", state.packet.frame, request_.state);
         } catch (const BadInput& refused) {
             told_ = refused.what();
         }
+    }
+
+    /// All signals of a saved state, except whether this flight is recorded.
+    void take_over(host::SignalValues signals) {
+        signals.set(Signal::record, signals_.value(Signal::record));
+        signals_.assign(signals);
+        rates_.resume(signals);
     }
 
     void switch_effect(const Shown& wanted) {
@@ -207,7 +233,12 @@ private:
     const FlyRequest& request_;
     RetroDisplay* display_; ///< none: the picture as it is
     const ig::Configuration today_;
-    host::SignalStore signals_;
+    host::SignalStore own_signals_;
+    host::SignalStore& signals_;
+    host::IndicationStore own_indications_;
+    host::IndicationStore& indications_;
+    host::SteadyRates rates_;
+    host::Instruments instruments_;
     host::SimulationCounter counter_;
     Screen screen_;
     std::array<TextBlock, 2> text_; ///< help, status
@@ -216,7 +247,7 @@ private:
     FrameReport report_;
     std::array<std::optional<Price>, effect_count> prices_;
     std::string told_;
-    std::optional<RecordingWriter> recording_;
+    Recordings recordings_;
     DatabaseReload reload_;
 };
 
@@ -241,9 +272,8 @@ FlyResult fly(Flight& flight, Window& window, const FlyRequest& request, RetroDi
         }
         ++result.updates;
     }
-    cockpit.finish();
     result.overruns = clock.overruns();
-    result.recorded = cockpit.recorded();
+    result.recordings = cockpit.finish();
     return result;
 }
 

@@ -1,5 +1,6 @@
 #include "tools/fly/keys.h"
 
+#include <SDL_joystick.h>
 #include <SDL_keycode.h>
 #include <fmt/format.h>
 
@@ -47,6 +48,10 @@ constexpr std::array table{
     Key{Action::next_effect, "tab", "next effect", SDLK_TAB, 0},
     Key{Action::switch_effect, "return", "effect off, on, its price", SDLK_RETURN, SDLK_KP_ENTER},
     Key{Action::panel, "i", "figures off, on", SDLK_i, 0},
+    Key{Action::ship_slower, "j", "ships slower", SDLK_j, 0},
+    Key{Action::ship_faster, "k", "ships faster", SDLK_k, 0},
+    Key{Action::next_channel, "c", "next channel", SDLK_c, 0},
+    Key{Action::record, "F8", "record, stop", SDLK_F8, 0},
     Key{Action::all_keys, "F1", "all keys", SDLK_F1, 0, true},
     Key{Action::quit, "q esc", "quit", SDLK_q, SDLK_ESCAPE, true},
 };
@@ -63,6 +68,27 @@ std::optional<Action> action_of(std::int32_t key_code) {
     return found->action;
 }
 
+std::optional<Action> action_of_button(std::uint8_t button) {
+    constexpr std::array buttons{Action::hands_on, Action::pause, Action::reset, Action::record};
+    if (button >= buttons.size()) return std::nullopt;
+    return buttons[button];
+}
+
+std::optional<Action> action_of_hat(std::uint8_t position) {
+    switch (position) {
+    case SDL_HAT_UP:
+        return Action::view_ahead;
+    case SDL_HAT_LEFT:
+        return Action::view_left;
+    case SDL_HAT_RIGHT:
+        return Action::view_right;
+    case SDL_HAT_DOWN:
+        return Action::view_down;
+    default:
+        return std::nullopt;
+    }
+}
+
 std::vector<std::string> help_lines(bool all) {
     std::vector<std::string> lines;
     for (const Key& key : table)
@@ -71,7 +97,8 @@ std::vector<std::string> help_lines(bool all) {
 }
 
 bool repeats(Action action) {
-    return action == Action::step || (action >= Action::sun_up && action <= Action::later);
+    return action == Action::step || action == Action::ship_slower || action == Action::ship_faster ||
+           (action >= Action::sun_up && action <= Action::later);
 }
 
 } // namespace linkdig::tools

@@ -49,6 +49,10 @@ enum class Action : std::uint8_t {
     switch_effect,
     panel,
     all_keys,
+    ship_slower,
+    ship_faster,
+    next_channel,
+    record,
     quit,
 };
 
@@ -65,6 +69,11 @@ std::span<const Key> keys();
 
 /// What an SDL_Keycode does, if anything.
 std::optional<Action> action_of(std::int32_t key_code);
+
+/// What a joystick's button does, from 0, if anything.
+std::optional<Action> action_of_button(std::uint8_t button);
+/// What its hat does when it is pushed one way (SDL_HAT_UP and so on), if anything.
+std::optional<Action> action_of_hat(std::uint8_t position);
 
 /// The help on the screen, a line per key: those of the first flight, or all.
 std::vector<std::string> help_lines(bool all);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 
 namespace linkdig::tools {
@@ -61,6 +62,13 @@ SDL_Rect fitted(int width, int height, int window_width, int window_height) {
     const int w = std::max(1, static_cast<int>(width * scale));
     const int h = std::max(1, static_cast<int>(height * scale));
     return {(window_width - w) / 2, (window_height - h) / 2, w, h};
+}
+
+/// What a joystick's event asks for.
+std::optional<Action> action_of(const SDL_Event& event) {
+    if (event.type == SDL_JOYBUTTONDOWN) return action_of_button(event.jbutton.button);
+    if (event.type == SDL_JOYHATMOTION) return action_of_hat(event.jhat.value);
+    return std::nullopt;
 }
 
 } // namespace
@@ -173,7 +181,7 @@ std::vector<Action> Window::actions() {
         if (event.type == SDL_JOYDEVICEREMOVED &&
             SDL_JoystickGetAttached(state_->joystick.get()) == SDL_FALSE)
             state_->joystick.reset();
-        if (event.type == SDL_JOYBUTTONDOWN && event.jbutton.button == 0) asked.push_back(Action::hands_on);
+        if (const auto action = action_of(event)) asked.push_back(*action);
         if (event.type != SDL_KEYDOWN) continue;
         const auto action = action_of(event.key.keysym.sym);
         // Held keys repeat where a value goes up or down or frames are stepped, not where something is

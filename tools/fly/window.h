@@ -46,7 +46,8 @@ public:
     /// What was asked for since the last call, in order. Closing the window asks for Action::quit.
     std::vector<Action> actions();
     /// How the controls stand, as of the last actions(): the first joystick's axes 0 to 3 (right, back, pedals, down) beyond a dead
-    /// zone, or the arrow keys, home and end, page up and page down. Its first button asks for Action::hands_on.
+    /// zone, or the arrow keys, home and end, page up and page down. Buttons and hat ask for
+    /// what keys.h says.
     Sticks sticks() const;
 
 private:

@@ -22,6 +22,9 @@ TEST(SignalDirectory, NamesAreUniqueFoundAndWithinTheirBounds) {
         EXPECT_EQ(admissible(each.signal, each.initial), each.initial) << each.name;
     }
     EXPECT_EQ(seen.size(), signal_count);
+    EXPECT_EQ(find_signal("sun_elevation"), Signal::sea_sun_elevation);
+    EXPECT_EQ(find_signal("sun_rate"), Signal::sea_sun_rate);
+    EXPECT_EQ(find_signal("occulting_method"), Signal::occulting);
     EXPECT_EQ(find_signal(""), std::nullopt);
     EXPECT_EQ(find_signal("Freeze"), std::nullopt);
 }
