@@ -162,6 +162,41 @@ TEST(Check, TheCasterKnowsABox) {
     EXPECT_TRUE(Caster(within).eye_is_inside());
 }
 
+/// A field that reaches from a shore to the horizon: its near edge is where it is written, though its far one is at infinity.
+TEST(Check, TheCasterKnowsTheNearEdgeOfAFieldWithoutEnd) {
+    const VisualDatabase database =
+        compiled("[database]\nname = \"shore\"\n[[colour]]\nname = \"green\"\nrgb = [80, 128, 60]\n"
+                 "[[sun]]\nname = \"sun\"\n[[cluster]]\nname = \"shore\"\npriority = 1\n"
+                 "[[object_list]]\nname = \"land\"\ncluster = \"shore\"\nsun = \"sun\"\n"
+                 "[[object]]\nname = \"field\"\nlist = \"land\"\ncolour = \"green\"\n"
+                 "[object.directions]\nwest = [-1, 0, 0]\n"
+                 "[object.vertices_m]\nsouthern = [-2600, 6500, 0]\nnorthern = [-1200, 9000, 0]\n"
+                 "[[object.face]]\ncorners = [\"west\", \"southern\", \"northern\"]\n");
+    FramePacket packet;
+    packet.suns = {{0, 0, 1}};
+    const Vec3d eye(-2413.5, 7810.5, 236.2); // over the field, its shore 550 m to the east
+    const CastScene scene = cast_scene(database, packet, eye);
+    const Caster caster(scene);
+    EXPECT_FALSE(caster.eye_is_inside());
+    const auto meets = [&](const Vec3d& point) {
+        std::vector<CastHit> hits;
+        caster.nearest(glm::normalize(point - eye), 0.25, hits);
+        if (!hits.empty()) {
+            EXPECT_NEAR(hits.front().range_m, glm::distance(point, eye), 1e-6);
+        }
+        return !hits.empty();
+    };
+    for (double part = 0.01; part < 1.0; part += 0.07) {
+        const Vec3d shore(-2600.0 + 1400.0 * part, 6500.0 + 2500.0 * part, 0.0);
+        EXPECT_TRUE(meets(shore - Vec3d(0.01, 0, 0))) << part;
+        EXPECT_FALSE(meets(shore + Vec3d(0.01, 0, 0))) << part;
+    }
+    EXPECT_TRUE(meets({-1e7, 8000, 0}));
+    EXPECT_FALSE(meets({-1e7, 9000.5, 0}));
+    const CastScene below = cast_scene(database, packet, {-2413.5, 7810.5, -1.0});
+    EXPECT_TRUE(Caster(below).eye_is_inside());
+}
+
 /// Every database that ships, from a few views; the long form is a test of its own (`check.long.NAME`).
 TEST(Check, ShippedDatabasesShowWhatIsNearest) {
     int checked = 0;

@@ -106,6 +106,7 @@ private:
         for (const Vec3d& corner : made.corners)
             made.distance_m += glm::dot(made.normal, corner) / static_cast<double>(made.corners.size());
         scene_.of_face[index] = static_cast<std::int32_t>(scene_.faces.size());
+        if (!made.ways.empty()) scene_.reaching.push_back(static_cast<std::uint32_t>(scene_.faces.size()));
         scene_.faces.push_back(std::move(made));
     }
 
@@ -113,18 +114,21 @@ private:
     /// that is not, so that the face stays plane.
     void put_corners(const Face& face, const Hanging& at, CastFace& made) const {
         Vec3d base(0);
-        made.endless = true;
+        std::uint32_t finite = 0;
         for (std::uint32_t k = 0; k < face.corner_count; ++k) {
             const Vec4f& p = vertex(face, k).position;
             if (p.w == 0.0F) continue;
             base = at.origin_m + at.world_from_list * Vec3d(p);
-            made.endless = false;
+            ++finite;
         }
+        made.endless = finite == 0;
+        const bool reaching = finite > 0 && finite < face.corner_count;
         for (std::uint32_t k = 0; k < face.corner_count; ++k) {
             const Vec4f& p = vertex(face, k).position;
             const Vec3d turned = at.world_from_list * Vec3d(p);
-            made.corners.push_back(p.w == 0.0F ? base + far_m * glm::normalize(turned)
-                                               : at.origin_m + turned);
+            const Vec3d way = p.w == 0.0F ? glm::normalize(turned) : at.origin_m + turned;
+            made.corners.push_back(p.w == 0.0F ? base + far_m * way : way);
+            if (reaching) made.ways.push_back(way);
         }
     }
 

@@ -24,12 +24,16 @@ struct CastFace {
     double distance_m =
         0; ///< of the face's plane from the eye along the normal: negative if the eye is in front
     std::vector<Vec3d> corners{}; ///< finite stand-ins for those at infinity; none for a ground
+    /// Of a face that reaches from here to infinity: each corner's way from the eye, a direction for those at infinity. The
+    /// stand-ins are too far for a tree of floats: it was several metres off at the near end.
+    std::vector<Vec3d> ways{};
 };
 
 struct CastScene {
     std::vector<CastFace> faces;
     std::vector<std::int32_t> of_face; ///< parallel to VisualDatabase::faces: into `faces`, or none
     std::vector<std::int32_t> of_list; ///< parallel to VisualDatabase::lists: its ground in `faces`, or none
+    std::vector<std::uint32_t> reaching; ///< into `faces`: those that have `ways`
 };
 
 /// Takes out of the database what a ray passes through: semi-opaque faces lose their area, additive lists their faces.

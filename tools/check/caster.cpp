@@ -55,6 +55,20 @@ double range_of(const CastFace& face, const Vec3d& direction, double from_tree) 
     return std::fabs(cosine) < 1e-5 ? from_tree : face.distance_m / cosine;
 }
 
+/// Range of the plane where the ray meets a face that reaches to infinity; negative elsewhere. Seen from the eye such a face is
+/// the cone of its corners' ways: the ray lies on one side of all the planes through two neighbours.
+double range_of_reaching(const CastFace& face, const Vec3d& direction) {
+    bool left = false;
+    bool right = false;
+    for (std::size_t k = 0; k < face.ways.size(); ++k) {
+        const Vec3d& next = face.ways[k + 1 == face.ways.size() ? 0 : k + 1];
+        const double side = glm::dot(glm::cross(face.ways[k], next), direction);
+        left = left || side < 0.0;
+        right = right || side > 0.0;
+    }
+    return left && right ? -1.0 : face.distance_m / glm::dot(face.normal, direction);
+}
+
 } // namespace
 
 double tolerance_m(double range_m) { return std::max(least_tolerance_m, relative_tolerance * range_m); }
@@ -81,6 +95,7 @@ struct Caster::Tree {
     void add_triangles(const CastScene& faces) {
         std::vector<Vec3f> corners;
         for (std::uint32_t f = 0; f < faces.faces.size(); ++f) {
+            if (!faces.faces[f].ways.empty()) continue;
             const std::vector<Vec3d>& c = faces.faces[f].corners;
             for (std::size_t i = 1; i + 1 < c.size(); ++i) {
                 corners.insert(corners.end(), {Vec3f(c[0]), Vec3f(c[i]), Vec3f(c[i + 1])});
@@ -124,7 +139,7 @@ struct Caster::Tree {
 Caster::Caster(const CastScene& scene) : scene_(scene), tree_(std::make_unique<Tree>(scene)) {}
 Caster::~Caster() = default;
 
-/// Exact ranges, the grounds, nearest first, each face once (a ray along a diagonal meets both triangles).
+/// Exact ranges, what is not in the tree, nearest first, each face once (a ray along a diagonal meets both triangles).
 void Caster::finish(const Vec3d& direction, double from_m, std::vector<CastHit>& hits) const {
     for (CastHit& hit : hits)
         hit.range_m = range_of(scene_.faces[hit.face], direction, hit.range_m);
@@ -134,6 +149,12 @@ void Caster::finish(const Vec3d& direction, double from_m, std::vector<CastHit>&
         const double cosine = glm::dot(face.normal, direction);
         const double range = cosine < 0.0 ? face.distance_m / cosine : -1.0;
         if (range > from_m) hits.push_back({static_cast<std::uint32_t>(ground), range});
+    }
+    for (const std::uint32_t reaching : scene_.reaching) {
+        const CastFace& face = scene_.faces[reaching];
+        if (!shows(face, direction)) continue;
+        const double range = range_of_reaching(face, direction);
+        if (range > from_m) hits.push_back({reaching, range});
     }
     std::sort(hits.begin(), hits.end(), [](const CastHit& a, const CastHit& b) {
         return a.range_m != b.range_m ? a.range_m < b.range_m : a.face < b.face;
@@ -167,6 +188,25 @@ void Caster::nearest(const Vec3d& direction, double from_m, std::vector<CastHit>
     std::erase_if(hits, [&](const CastHit& hit) { return hit.range_m > limit; });
 }
 
+/// The face that the ray meets first, whichever side it shows; null if none. Grounds are left out.
+const CastFace* Caster::first_of_any_side(const Vec3d& direction) const {
+    Query query{.scene = &scene_, .direction = direction, .wanted = Wanted::nearest_of_any_side};
+    const RTCRayHit hit = tree_->cast(query, 0.0F, tree_reach_m);
+    const CastFace* first = nullptr;
+    double nearest = endless_m;
+    if (hit.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
+        first = &scene_.faces[tree_->face_of[hit.hit.primID]];
+        nearest = static_cast<double>(hit.ray.tfar);
+    }
+    for (const std::uint32_t reaching : scene_.reaching) {
+        const double range = range_of_reaching(scene_.faces[reaching], direction);
+        if (range <= 0.0 || range >= nearest) continue;
+        first = &scene_.faces[reaching];
+        nearest = range;
+    }
+    return first;
+}
+
 bool Caster::eye_is_inside() const {
     for (const CastFace& face : scene_.faces)
         if (face.corners.empty() && face.distance_m > -0.5) return true;
@@ -174,12 +214,9 @@ bool Caster::eye_is_inside() const {
     int backs = 0;
     for (int i = 0; i < rays; ++i) { // spread evenly over the sphere, by the golden angle
         const double height = (2.0 * i + 1.0) / rays - 1.0;
-        Query query{.scene = &scene_,
-                    .direction = direction(2.399963 * i, arc_sine(height)),
-                    .wanted = Wanted::nearest_of_any_side};
-        const RTCRayHit hit = tree_->cast(query, 0.0F, tree_reach_m);
-        if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
-        if (!shows(scene_.faces[tree_->face_of[hit.hit.primID]], query.direction)) ++backs;
+        const Vec3d way = direction(2.399963 * i, arc_sine(height));
+        const CastFace* first = first_of_any_side(way);
+        if (first != nullptr && !shows(*first, way)) ++backs;
     }
     return 3 * backs > rays;
 }

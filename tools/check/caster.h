@@ -37,6 +37,7 @@ public:
 private:
     struct Tree;
     void finish(const Vec3d& direction, double from_m, std::vector<CastHit>& hits) const;
+    const CastFace* first_of_any_side(const Vec3d& direction) const;
     const CastScene& scene_;
     std::unique_ptr<Tree> tree_;
 };
