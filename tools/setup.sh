@@ -20,11 +20,12 @@ demo_packages=(
     libflatbuffers-dev flatbuffers-compiler libxxhash-dev
     libopenimageio-dev fonts-dejavu-core zlib1g-dev libassimp-dev
     libembree-dev
+    libusb-1.0-0-dev
     libsdl2-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev
 )
 test_packages=(
     libgtest-dev libgmock-dev assimp-testmodels clang libclang-rt-dev clang-format clang-tidy python3
-    xvfb xdotool ffmpeg openimageio-tools chromium
+    xvfb xdotool ffmpeg openimageio-tools chromium libumockdev-dev umockdev
 )
 
 bench_packages=(libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri libgtest-dev libgmock-dev python3)

@@ -26,6 +26,23 @@ bool SignalStore::add(Signal signal, double difference) {
     return true;
 }
 
+bool SignalStore::add_round(Signal signal, double difference) {
+    if (std::isnan(difference)) return false;
+    const SignalDefinition& defined = definition(signal);
+    const auto sum = [&](double before) {
+        const double asked = before + difference;
+        const double round = asked > defined.maximum   ? defined.minimum
+                             : asked < defined.minimum ? defined.maximum
+                                                       : asked;
+        return *admissible(signal, round);
+    };
+    std::atomic<double>& stored = values_[static_cast<std::size_t>(signal)];
+    double before = stored.load();
+    while (!stored.compare_exchange_weak(before, sum(before))) {
+    }
+    return true;
+}
+
 void SignalStore::change_over(Signal signal) {
     std::atomic<double>& stored = values_[static_cast<std::size_t>(signal)];
     double before = stored.load();

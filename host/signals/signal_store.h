@@ -20,6 +20,8 @@ public:
     bool write(std::string_view name, double value);
     /// Adds to a signal and clamps the sum: what a key does that is pressed again and again. False for a NaN.
     bool add(Signal signal, double difference);
+    /// The same, but beyond either bound it goes on from the other.
+    bool add_round(Signal signal, double difference);
     /// A switch changes sides.
     void change_over(Signal signal);
     /// All signals back to their initial values.
