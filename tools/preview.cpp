@@ -120,8 +120,8 @@ void add_preview(CLI::App& app, int& exit_code) {
     command->add_option("--size", options->size, "Each picture, WIDTHxHEIGHT pixels")->capture_default_str();
     command->add_option("--threads", options->threads, "Threads; 0: as many as the machine has")
         ->check(CLI::Range(0, 256));
-    command->footer("A row of views for each moving object and each static cluster; slots show their first "
-                    "alternatives.\n"
+    command->footer("A row of views for each moving object and each static cluster (seas only where nothing\n"
+                    "else is static); slots show their first alternatives.\n"
                     "Example:\n  linkdig preview first_flight.igdb -o sheet.png --turntable round.mp4");
     command->callback([options, &exit_code] { exit_code = preview(*options); });
 }

@@ -31,8 +31,12 @@ struct Field {
     std::array<double, 2> height_m{};
     std::array<double, 2> sides{};
     std::uint64_t seed = 0;
+    bool staggered = false; ///< every second row half a square to the right, and one mound shorter
     std::uint64_t columns = 0;
     std::uint64_t rows = 0;
+
+    double shift(std::uint64_t row) const { return staggered && row % 2 == 1 ? 0.5 : 0.0; }
+    std::uint64_t mounds_in(std::uint64_t row) const { return shift(row) > 0.0 ? columns - 1 : columns; }
 };
 
 /// Looks of the faces: every second one may have another colour, and all an outline.
@@ -63,7 +67,8 @@ std::vector<Vec3d> mound(const Field& field, std::uint64_t column, std::uint64_t
     const double height = roll.between(field.height_m);
     const auto sides = static_cast<int>(std::floor(roll.between(field.sides[0], field.sides[1] + 1.0)));
     const double room = 0.5 * field.spacing_m - radius;
-    const double square_x = field.from_m.x + (static_cast<double>(column) + 0.5) * field.spacing_m;
+    const double square_x =
+        field.from_m.x + (static_cast<double>(column) + 0.5 + field.shift(row)) * field.spacing_m;
     const double square_y = field.from_m.y + (static_cast<double>(row) + 0.5) * field.spacing_m;
     const Vec3d centre(square_x + roll.between(-room, room), square_y + roll.between(-room, room),
                        field.from_m.z);
@@ -141,20 +146,6 @@ private:
     ModelObject& object_;
 };
 
-/// `stem_m = [least, greatest]`.
-std::array<double, 2> read_range_m(TableReader& reader, const std::string& stem) {
-    const std::string key = stem + "_m";
-    reader.describe(key, "[least, greatest]", {});
-    const toml::node* node = reader.node(key);
-    const toml::array* array = node == nullptr ? nullptr : node->as_array();
-    const auto at = [&](std::size_t i) { return array->get(i)->value<double>(); };
-    if (array != nullptr && array->size() == 2 && at(0) && at(1) && *at(0) > 0.0 && *at(1) >= *at(0) &&
-        *at(1) < 1e6)
-        return {*at(0), *at(1)};
-    reader.error_at(key, fmt::format("\"{}\" is no range; expected [least, greatest], both above 0", key));
-    return {1.0, 1.0};
-}
-
 void read_sides(TableReader& reader, Field& field) {
     field.sides[0] = static_cast<double>(reader.integer("least_sides", 5, least_sides, most_sides));
     field.sides[1] = static_cast<double>(reader.integer("greatest_sides", 7, least_sides, most_sides));
@@ -169,9 +160,10 @@ Field read_field(TableReader& reader) {
     const Vec3d to_m = reader.point_m("to");
     field.size_m = Vec2d(to_m - field.from_m);
     field.spacing_m = reader.length_m("spacing", {}, {0.1, 1e6});
-    field.radius_m = read_range_m(reader, "radius");
-    field.height_m = read_range_m(reader, "height");
+    field.radius_m = reader.range_m("radius", {0.001, 1e6});
+    field.height_m = reader.range_m("height", {0.001, 1e6});
     read_sides(reader, field);
+    field.staggered = reader.boolean("staggered", false);
     field.seed =
         static_cast<std::uint64_t>(reader.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     if (mistakes.any()) return field;
@@ -224,7 +216,7 @@ void read_mounds(AuthoredTable table, const Reading& reading, std::vector<ModelO
     if (mistakes.any()) return;
     MoundBuilder builder(looks, object);
     for (std::uint64_t row = 0; row < field.rows; ++row)
-        for (std::uint64_t column = 0; column < field.columns; ++column)
+        for (std::uint64_t column = 0; column < field.mounds_in(row); ++column)
             builder.add(mound(field, column, row));
     objects.push_back(std::move(object));
 }

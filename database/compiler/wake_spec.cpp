@@ -4,31 +4,14 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 
 namespace linkdig::database {
 
 namespace {
 
-/// `key = [x, y]` in metres.
-Vec2d read_point(TableReader& reader, const std::string& stem) {
-    const std::string key = stem + "_m";
-    const toml::node* node = reader.node(key);
-    const toml::array* array = node == nullptr ? nullptr : node->as_array();
-    Vec2d point(0.0);
-    bool good = array != nullptr && array->size() == 2;
-    for (int i = 0; good && i < 2; ++i) {
-        const auto number = array->get(static_cast<std::size_t>(i))->value<double>();
-        good = number && std::isfinite(*number);
-        if (good) point[i] = *number;
-    }
-    if (!good) reader.error_at(key, fmt::format("'{}': expected [x, y] in metres", key));
-    return point;
-}
-
 std::vector<PathPiece> read_arc(TableReader& reader, bool spiral) {
     ArcPiece arc;
-    arc.centre = read_point(reader, "centre");
+    arc.centre = reader.point2_m("centre");
     const Range radius{1e-6, 1e6};
     arc.from_radius = reader.length_m(spiral ? "from_radius" : "radius", {}, radius);
     arc.to_radius = spiral ? reader.length_m("to_radius", {}, radius) : arc.from_radius;
@@ -95,7 +78,7 @@ void read_field(const toml::table* table, const std::string& file, Diagnostics& 
     TableReader reader(table != nullptr ? *table : none, file, "[field]", diagnostics);
     wakes.size = static_cast<std::uint32_t>(reader.integer("cells", 512, 4, 8192));
     wakes.side = reader.length_m("side", 512.0, {1e-3, 1e6});
-    if (reader.has("corner_m")) wakes.origin = read_point(reader, "corner");
+    wakes.origin = reader.point2_m("corner", wakes.origin);
     reader.finish();
 }
 

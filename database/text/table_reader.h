@@ -7,6 +7,7 @@
 
 #include <toml++/toml.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -60,6 +61,9 @@ public:
     /// may stand.
     double length_m(std::string_view stem, std::optional<double> fallback = {}, Range range_m = {});
     Vec3d point_m(std::string_view stem, std::optional<Vec3d> fallback = {});
+    Vec2d point2_m(std::string_view stem, std::optional<Vec2d> fallback = {});
+    /// Required: [least, greatest], in this order and both within `range_m`.
+    std::array<double, 2> range_m(std::string_view stem, Range range_m);
     std::vector<Vec3d> points_m(std::string_view stem);  ///< required: array of [x, y, z]
     std::vector<Vec2d> points2_m(std::string_view stem); ///< required: array of [x, y]
     /// `stem_deg`, returned in radians.
@@ -108,6 +112,9 @@ private:
     void note_with_units(std::string_view stem, const Units& units, std::string value,
                          std::optional<std::string> fallback);
     double quantity(std::string_view stem, const Units& units, std::optional<double> fallback, Range range);
+    template <int count>
+    glm::vec<count, double, glm::defaultp>
+    point_with_unit(std::string_view stem, std::optional<glm::vec<count, double, glm::defaultp>> fallback);
     template <int count>
     std::vector<glm::vec<count, double, glm::defaultp>> points_of(std::string_view stem);
 

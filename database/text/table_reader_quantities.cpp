@@ -110,24 +110,51 @@ double TableReader::angle_rad(std::string_view stem, std::optional<double> fallb
 
 namespace {
 
-std::optional<std::string> words_of(const std::optional<Vec3d>& point) {
+template <int count>
+std::optional<std::string> words_of(const std::optional<Point<count>>& point) {
     if (!point) return std::nullopt;
-    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", point->x, point->y, point->z);
+    std::string words;
+    for (int i = 0; i < count; ++i)
+        words += fmt::format("{}{:.6g}", i == 0 ? "[" : ", ", (*point)[i]);
+    return words + "]";
 }
 
 } // namespace
 
-Vec3d TableReader::point_m(std::string_view stem, std::optional<Vec3d> fallback) {
-    if (noting()) note_with_units(stem, length_units(), "[x, y, z]", words_of(fallback));
+template <int count>
+Point<count> TableReader::point_with_unit(std::string_view stem, std::optional<Point<count>> fallback) {
+    if (noting())
+        note_with_units(stem, length_units(), count == 3 ? "[x, y, z]" : "[x, y]", words_of<count>(fallback));
     const std::optional<WithUnit> found = with_unit(stem, length_units(), !fallback);
-    if (!found) return fallback.value_or(Vec3d(0.0));
-    if (const auto point = point_of<3>(*found->node, found->unit)) return *point;
-    wrong_type(found->key, *found->node, point_text<3>());
-    return Vec3d(0.0);
+    if (!found) return fallback.value_or(Point<count>(0.0));
+    if (const auto point = point_of<count>(*found->node, found->unit)) return *point;
+    wrong_type(found->key, *found->node, point_text<count>());
+    return Point<count>(0.0);
+}
+
+Vec3d TableReader::point_m(std::string_view stem, std::optional<Vec3d> fallback) {
+    return point_with_unit<3>(stem, fallback);
+}
+
+Vec2d TableReader::point2_m(std::string_view stem, std::optional<Vec2d> fallback) {
+    return point_with_unit<2>(stem, fallback);
+}
+
+std::array<double, 2> TableReader::range_m(std::string_view stem, Range range_m) {
+    const std::string value = "[least, greatest]" + words_of(range_m);
+    if (noting()) note_with_units(stem, length_units(), value, {});
+    const std::optional<WithUnit> found = with_unit(stem, length_units(), true);
+    if (!found) return {range_m.least, range_m.least};
+    const auto pair = point_of<2>(*found->node, found->unit);
+    if (pair && pair->x >= range_m.least && pair->y >= pair->x && pair->y <= range_m.greatest)
+        return {pair->x, pair->y};
+    error_at(found->key, fmt::format("\"{}\" is no range; expected {}{}", found->key, value,
+                                     found->unit == 1.0 ? "" : " in metres"));
+    return {range_m.least, range_m.least};
 }
 
 Vec3d TableReader::vector(std::string_view key, std::optional<Vec3d> fallback) {
-    if (noting()) note(key, "[x, y, z]", words_of(fallback));
+    if (noting()) note(key, "[x, y, z]", words_of<3>(fallback));
     const toml::node* found = find(key);
     if (found == nullptr) {
         if (!fallback) missing(key);

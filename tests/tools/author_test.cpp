@@ -62,6 +62,28 @@ TEST(Preview, ShowsTheShipTheSeaAndNotTheSky) {
     EXPECT_THAT(names, testing::Not(testing::Contains("sky")));
 }
 
+/// A pier stands at the origin, where a ship would stand; the sea behind both is no subject of its own there.
+TEST(Preview, AShipStandsClearOfWhatIsStatic) {
+    const database::CompileResult compiled =
+        database::compile_file(LINKDIG_SOURCE_DIR "/database/scenes/pier/pier.toml");
+    ASSERT_TRUE(compiled.database);
+    const std::vector<PreviewSubject> subjects = preview_subjects(*compiled.database);
+    const PreviewSubject& ship = subjects.front();
+    ASSERT_NE(ship.moving_object, none);
+    const FramePacket packet = preview_packet(*compiled.database, ship, preview_view(0), 1.5);
+    const double west_end =
+        packet.moving_objects.at(static_cast<std::size_t>(ship.moving_object)).position_m.x -
+        glm::length(ship.half_extent_m);
+    int solid = 0;
+    for (const PreviewSubject& subject : subjects) {
+        EXPECT_NE(subject.name, "sea");
+        if (subject.moving_object != none) continue;
+        ++solid;
+        EXPECT_LT(subject.centre_m.x + subject.half_extent_m.x, west_end) << subject.name;
+    }
+    EXPECT_GE(solid, 2);
+}
+
 /// Every view holds the whole subject: its border is sky all round, its middle is not.
 TEST(Preview, TheSubjectFillsTheMiddleAndLeavesTheBorder) {
     const database::CompileResult compiled = database::compile_file(shipped);

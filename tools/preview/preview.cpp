@@ -65,6 +65,18 @@ bool is_field(const PreviewSubject& subject) {
     return subject.moving_object == none && half.z < 0.03 * std::min(half.x, half.y);
 }
 
+bool is_endless(const PreviewSubject& subject) { return subject.half_extent_m == Vec3d(0); }
+
+/// Where a moving object stands to be looked at: at the origin, or clear of everything static, to the east of it.
+Vec3d clear_place(const VisualDatabase& database, const PreviewSubject& subject) {
+    Vec3d place(0);
+    for (const PreviewSubject& other : preview_subjects(database))
+        if (other.moving_object == none && !is_endless(other))
+            place.x = std::max(place.x, other.centre_m.x + other.half_extent_m.x +
+                                            5.0 * glm::length(subject.half_extent_m));
+    return place;
+}
+
 /// The least range along `outward` from the subject's middle at which all corners of its box lie inside the picture.
 double fitting_range(const PreviewSubject& subject, const Vec3d& outward, double up_tangent, double aspect) {
     constexpr double margin = 1.1;
@@ -98,6 +110,13 @@ std::vector<PreviewSubject> preview_subjects(const VisualDatabase& database) {
         if (database.clusters[c].moving_object == none)
             subjects.push_back(subject_of(database, database.clusters[c].name, none, {c}));
     std::erase_if(subjects, [](const PreviewSubject& subject) { return subject.faces == 0; });
+    const auto solid = [](const PreviewSubject& subject) {
+        return subject.moving_object == none && !is_endless(subject);
+    };
+    if (std::ranges::any_of(subjects, solid)) // a sea shows behind them
+        std::erase_if(subjects, [](const PreviewSubject& subject) {
+            return subject.moving_object == none && is_endless(subject);
+        });
     return subjects;
 }
 
@@ -114,6 +133,11 @@ FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject&
     packet.moving_objects.resize(database.moving_objects.size());
     for (std::size_t i = 0; i < packet.moving_objects.size(); ++i)
         packet.moving_objects[i].visible = subject.moving_object == static_cast<std::int32_t>(i);
+    Vec3d place(0);
+    if (subject.moving_object != none) {
+        MovingObject& object = packet.moving_objects[static_cast<std::size_t>(subject.moving_object)];
+        place = object.position_m = object.waterline_position_m = clear_place(database, subject);
+    }
     packet.lod_bias = finest;
     const Vec3d outward = direction(radians(view.azimuth_deg), radians(view.elevation_deg));
     const double half = radians(half_field_deg);
@@ -127,11 +151,12 @@ FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject&
         channel.eye_m =
             subject.centre_m + Vec3d(0.0, 0.0, subject.half_extent_m.z + low_height_m) + back_m * level;
         aim = channel.eye_m - Vec3d(level.x, level.y, 0.12);
-    } else if (subject.half_extent_m == Vec3d(0)) {
+    } else if (is_endless(subject)) {
         channel.eye_m = Vec3d(0.0, 0.0, low_height_m);
         aim = channel.eye_m - Vec3d(outward.x, outward.y, view.elevation_deg < 60.0 ? 0.12 : outward.z);
     }
     channel.attitude = host::looking_along(aim - channel.eye_m);
+    channel.eye_m += place;
     channel.top_tangent = tangent(half);
     channel.bottom_tangent = -channel.top_tangent;
     channel.right_tangent = channel.top_tangent * aspect;

@@ -19,8 +19,8 @@ struct PreviewSubject {
     std::uint32_t faces = 0; ///< with the first alternative of each slot, and every level of detail
 };
 
-/// In the database's order, moving objects first. Clusters around the eye, and those without faces, are no subjects; a
-/// repeated tile is one.
+/// In the database's order, moving objects first. Clusters around the eye, and those without faces, are no subjects; what
+/// reaches to infinity on all sides, as a repeated tile does, is one where nothing static has an end.
 std::vector<PreviewSubject> preview_subjects(const VisualDatabase& database);
 
 /// From where a subject is seen: azimuth counter-clockwise from the bow (or from east), both in degrees.
@@ -32,7 +32,7 @@ struct PreviewView {
 inline constexpr std::uint32_t preview_views = 4;
 PreviewView preview_view(std::uint32_t index);
 
-/// The packet that shows the subject alone of all moving objects, upright at the origin, filling most of a picture of
+/// The packet that shows the subject alone of all moving objects, upright at the origin or clear of what is static, filling most of a picture of
 /// this shape (width / height); slots point at their first alternatives, and levels of detail are at their finest.
 FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject& subject,
                            const PreviewView& view, double aspect);

@@ -358,7 +358,7 @@ TEST(Messages, Mounds) {
                 HasSubstr("root.toml:20: the field holds no mound"));
     EXPECT_THAT(
         field("to_m = [9000, 9000, 0]\nspacing_m = 10\nradius_m = [4, 5]\nheight_m = [2, 1]\n"),
-        HasSubstr("root.toml:23: \"height_m\" is no range; expected [least, greatest], both above 0"));
+        HasSubstr("root.toml:23: \"height_m\" is no range; expected [least, greatest], 0.001 to 1e+06"));
     EXPECT_THAT(field("to_m = [9000, 9000, 0]\nspacing_m = 10\nradius_m = [4, 5]\nheight_m = [1, 2]\n"),
                 HasSubstr("root.toml:21: the field makes up to 5670000 faces; expected at most 100000"));
     EXPECT_THAT(

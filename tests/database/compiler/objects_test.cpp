@@ -10,10 +10,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace linkdig::database {
 namespace {
@@ -281,6 +284,23 @@ TEST(Mounds, StandEachInItsSquareOnTheGround) {
     EXPECT_GE(d.faces.size(), 15U * 4);
     for (const Face& face : d.faces)
         EXPECT_GT(face.normal.z, 0) << "seen from above";
+}
+
+TEST(Mounds, StandInStaggeredRows) {
+    const VisualDatabase d =
+        compiled("[[mounds]]\nname = \"m\"\nlist = \"list\"\ncolour = \"grey\"\nfrom_m = [0, 0, 0]\n"
+                 "to_m = [60, 40, 0]\nspacing_m = 20\nradius_ft = [32.5, 32.8]\nheight_m = [2, 2]\n"
+                 "staggered = true\nseed = 5\n");
+    std::vector<Vec2f> tops;
+    for (const Vertex& vertex : d.vertices)
+        if (vertex.position.z > 1) tops.emplace_back(vertex.position.x, vertex.position.y);
+    std::ranges::sort(tops, [](const Vec2f& a, const Vec2f& b) {
+        return std::tuple(a.y > 20.0F, a.x) < std::tuple(b.y > 20.0F, b.x);
+    });
+    ASSERT_EQ(tops.size(), 5U) << "three, and two between them";
+    const std::array<float, 5> middles{10, 30, 50, 20, 40};
+    for (std::size_t i = 0; i < tops.size(); ++i)
+        EXPECT_NEAR(tops[i].x, middles[i], 2.7) << "a top leans by a quarter of the radius at most";
 }
 
 TEST(Mounds, HaveOutlinesAndASecondColour) {

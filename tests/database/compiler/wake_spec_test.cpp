@@ -48,7 +48,7 @@ TEST(WakeSpec, MistakesAreToldWithTheirLine) {
                   "a bezier has 2 points; expected 4"},
              Case{boat + "[[swimmer.path]]\nkind = \"arc\"\ncentre_m = [1.0]\nradius_m = 3.0\nfrom_deg = "
                          "0.0\nto_deg = 9.0\n",
-                  "'centre_m': expected [x, y] in metres"},
+                  "\"centre_m\" is an array; expected [x, y], two finite numbers"},
              Case{boat + line + "[[swimmer.path]]\nkind = \"line\"\npoints_m = [[1.0, 2.0], [3.0, 2.0]]\n",
                   "piece 2 begins at (1, 2); expected (30, 2)"},
              Case{boat + line + "[sampling]\npsi_per_cell = 10000.0\nu_steps = 1000000\n",
