@@ -52,6 +52,10 @@ frames two_ships/night_in_company.toml scenario_night_in_company 0 240 420 599
 frames pier/passing.toml scenario_passing 0 200 400 599
 frames plattsburgh/approach.toml scenario_plattsburgh 0 900 1400 1799
 frames plattsburgh/night.toml scenario_plattsburgh_night 0 900 1400 1799
+frames plattsburgh/pattern.toml scenario_plattsburgh_pattern 0 600 900 1199
+frames plattsburgh/vtol.toml scenario_plattsburgh_vtol 0 300 600 890
+frames plattsburgh/ramp.toml scenario_plattsburgh_ramp 0 300 600 890
 frames pease/approach.toml scenario_pease 0 900 1400 1799
+frames pease/pattern.toml scenario_pease_pattern 0 600 900 1199
 frames pease/night.toml scenario_pease_night 0 900 1400 1799
 frames runway_lights/night_approach.toml scenario_runway_lights 0 200 400 599
