@@ -1,10 +1,12 @@
 /// linkdig fly: a scenario, in a window or as files.
 
 #include "tools/fly/fly.h"
+#include "host/panel/panel_link.h"
 #include "tools/flight/arguments.h"
 #include "tools/flight/bad_input.h"
 #include "tools/flight/fly_files.h"
 #include "tools/fly/window.h"
+#include "tools/panel/shipped_mappings.h"
 #include "tools/sheet/text.h"
 #include "tools/subcommands.h"
 
@@ -13,7 +15,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace linkdig::tools {
 namespace {
@@ -29,6 +33,19 @@ struct FlyOptions {
     std::string record;
     std::string state = "linkdig.state";
     std::uint32_t threads = 0;
+    bool panel = false;
+    std::vector<std::string> mappings;
+};
+
+/// The cockpit panels of a flight.
+struct Panels {
+    Panels(const std::vector<std::string>& mapping_files, host::SignalStore& signals,
+           const host::IndicationStore& indications)
+        : tell([](const std::string& words) { fmt::print(stderr, "panel: {}\n", words); }),
+          desk(mappings_of(mapping_files), signals, indications, tell), link(desk, tell) {}
+    panel::Tell tell;
+    panel::PanelDesk desk;
+    panel::PanelLink link;
 };
 
 FlightRequest request_of(const FlyOptions& options) {
@@ -43,6 +60,8 @@ FlightRequest request_of(const FlyOptions& options) {
 int as_files(const FlyOptions& options) {
     if (!options.record.empty())
         throw std::invalid_argument("--record keeps what is flown in a window; linkdig record needs none");
+    if (options.panel)
+        throw std::invalid_argument("--panel needs a window; files are flown as the scenario says");
     require_fonts();
     Flight flight(request_of(options));
     fly_as_files(flight, {.folder = options.out,
@@ -55,6 +74,9 @@ int as_files(const FlyOptions& options) {
 
 int run(const FlyOptions& options) {
     if (options.headless) return as_files(options);
+    host::SignalStore signals;
+    host::IndicationStore indications;
+    std::optional<Panels> panels;
     const FlightRequest request = request_of(options);
     Flight flight(request);
     Window window("linkdig fly: " + flight.scenario().name, request.configuration.raster.width,
@@ -62,8 +84,11 @@ int run(const FlyOptions& options) {
     FlyRequest flown_as{.updates = options.frames.value_or(0), .state = options.state, .panel = true};
     if (!options.record.empty()) {
         flown_as.record = options.record;
-        flown_as.record_at_once = true;
+        flown_as.record_all = true;
     }
+    flown_as.signals = &signals;
+    flown_as.indications = &indications;
+    if (options.panel) panels.emplace(options.mappings, signals, indications);
     const FlyResult flown = fly(flight, window, flown_as);
     summarise(flight, flown.overruns);
     for (const Recorded& each : flown.recordings)
@@ -84,7 +109,19 @@ void add_fly(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 1000000));
     command->add_option("--out", options->out, "Folder of the files")->capture_default_str();
     command->add_option("--record", options->record,
-                        "Keep what is flown in this recording, from the first frame");
+                        "Keep the whole flight in this recording, whatever the signal \"record\" says");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--panel",
+            [options](const std::vector<std::string>& files) {
+                options->panel = true;
+                for (const std::string& file : files)
+                    if (!file.empty()) options->mappings.push_back(file);
+            },
+            "Fly with the cockpit panels on USB, by these mapping files; without any by the shipped ones")
+        ->expected(0, 16)
+        ->type_name("[MAPPING ...]")
+        ->trigger_on_parse(false);
     command->add_option("--state", options->state, "File of the keys F9 and F10")->capture_default_str();
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
     command->add_option("--profile", options->profile, "Machine profile")

@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
     linkdig::tools::add_render(app, exit_code);
     linkdig::tools::add_figures(app, exit_code);
     linkdig::tools::add_fly(app, exit_code);
+    linkdig::tools::add_panel(app, exit_code);
     linkdig::tools::add_record(app, exit_code);
     linkdig::tools::add_replay(app, exit_code);
     linkdig::tools::add_convert(app, exit_code);

@@ -21,6 +21,7 @@ void add_demo(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
 void add_figures(CLI::App& app, int& exit_code);
 void add_fly(CLI::App& app, int& exit_code);
+void add_panel(CLI::App& app, int& exit_code);
 void add_record(CLI::App& app, int& exit_code);
 void add_replay(CLI::App& app, int& exit_code);
 void add_convert(CLI::App& app, int& exit_code);

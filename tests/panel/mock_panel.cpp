@@ -72,8 +72,7 @@ struct MockPanel::State {
     int report_error = 0;
     int report_errors_left = 0;
     int feature_error = 0;
-    std::vector<std::uint8_t> feature;
-    std::uint64_t features = 0;
+    std::vector<std::vector<std::uint8_t>> features;
     std::uint64_t feature_attempts = 0;
     std::uint64_t reports_asked = 0;
 
@@ -180,8 +179,7 @@ void MockPanel::State::answer_control(const Urb& urb, const std::uint8_t* setup)
     ++feature_attempts;
     urb->status = feature_error;
     if (feature_error != 0) return;
-    ++features;
-    feature.assign(setup + setup_bytes, setup + urb->buffer_length);
+    features.emplace_back(setup + setup_bytes, setup + urb->buffer_length);
     urb->actual_length = urb->buffer_length - setup_bytes;
 }
 
@@ -419,12 +417,17 @@ void MockPanel::stand(std::uint32_t bits) {
 
 std::vector<std::uint8_t> MockPanel::feature() const {
     const std::lock_guard lock(state_->mutex);
-    return state_->feature;
+    return state_->features.empty() ? std::vector<std::uint8_t>() : state_->features.back();
+}
+
+std::vector<std::vector<std::uint8_t>> MockPanel::all_features() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->features;
 }
 
 std::uint64_t MockPanel::features() const {
     const std::lock_guard lock(state_->mutex);
-    return state_->features;
+    return state_->features.size();
 }
 
 std::uint64_t MockPanel::feature_attempts() const {

@@ -65,7 +65,8 @@ public:
     /// How the panel stands, for GET_REPORT, without sending it.
     void stand(std::uint32_t bits);
 
-    std::vector<std::uint8_t> feature() const; ///< last one taken; empty: none
+    std::vector<std::uint8_t> feature() const;                   ///< last one taken; empty: none
+    std::vector<std::vector<std::uint8_t>> all_features() const; ///< that were taken, in order
     std::uint64_t features() const;
     std::uint64_t feature_attempts() const;
     std::uint64_t waiting() const;       ///< reports not yet fetched

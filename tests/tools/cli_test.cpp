@@ -15,8 +15,8 @@ const std::string scenario = "'" LINKDIG_SOURCE_DIR "/database/scenes/first_flig
 TEST(CommandLine, HelpAndVersionAreNoMistakes) {
     const Outcome help = run("--help");
     EXPECT_EQ(help.exit_code, 0);
-    for (const char* name : {"demo", "compile", "inspect", "render", "figures", "fly", "record", "replay",
-                             "convert", "wake", "why"}) {
+    for (const char* name : {"demo", "compile", "inspect", "render", "figures", "fly", "panel", "record",
+                             "replay", "convert", "wake", "why"}) {
         EXPECT_THAT(help.output, HasSubstr(name));
         const Outcome own = run(std::string(name) + " --help");
         EXPECT_EQ(own.exit_code, 0);

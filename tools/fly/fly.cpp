@@ -44,9 +44,7 @@ public:
           reload_(flight.scenario().database_path, flight.database_files()) {
         screen_.panel = request.panel;
         text_[1].corner = TextBlock::Corner::bottom_left;
-        if (!request.record_at_once) return;
-        recordings_.follow(true, flight);
-        signals_.write(Signal::record, 1.0);
+        if (request.record_all) recordings_.follow(true, flight);
     }
 
     /// One update, `slots` after the one before; false when somebody has quit.
@@ -138,7 +136,7 @@ private:
     /// What cannot be written does not end the flight.
     void follow_recording(const host::SignalValues& now) {
         try {
-            recordings_.follow(now.on(Signal::record), flight_);
+            recordings_.follow(request_.record_all || now.on(Signal::record), flight_);
         } catch (const std::runtime_error& refused) {
             signals_.write(Signal::record, 0.0);
             told_ = refused.what();

@@ -18,9 +18,9 @@ namespace linkdig::tools {
 class Window;
 
 struct FlyRequest {
-    std::uint64_t updates = 0;                    ///< until so many updates have been shown; 0: no limit
-    std::string record = "linkdig.rec";           ///< file of the first recording (recordings.h)
-    bool record_at_once = false;                  ///< it begins with the first frame
+    std::uint64_t updates = 0;          ///< until so many updates have been shown; 0: no limit
+    std::string record = "linkdig.rec"; ///< file of the first recording (recordings.h)
+    bool record_all = false; ///< from the first frame to the last, whatever the signal `record` says
     std::string state = "linkdig.state";          ///< file of the keys that save and load
     bool panel = false;                           ///< begin with the figures shown
     host::SignalStore* signals = nullptr;         ///< that others write as well; none: the keys alone
