@@ -2,6 +2,7 @@
 
 #include "host/panel/panel_link.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -22,16 +23,15 @@ TEST(PermissionRule, IsTheSameInMessagePageAndScript) {
     EXPECT_THAT(text_of(LINKDIG_SOURCE_DIR "/tools/panel_permission.sh"),
                 testing::HasSubstr(permission_rule));
     for (std::size_t i = 0; i < panel_kinds; ++i) {
-        char product[8];
-        std::snprintf(product, sizeof product, "%04x", layout_of(static_cast<PanelKind>(i)).product_id);
-        EXPECT_THAT(permission_rule, testing::HasSubstr(product));
+        const std::uint16_t product = layout_of(static_cast<PanelKind>(i)).product_id;
+        EXPECT_THAT(permission_rule, testing::HasSubstr(fmt::format("{:04x}", product)));
     }
 }
 
 TEST(PanelPage, NamesEveryControlLampDisplayAndIndication) {
     const std::string page = text_of(LINKDIG_SOURCE_DIR "/docs/panel.md");
     const auto named = [&](const char* name) {
-        return page.find("`" + std::string(name) + "`") != std::string::npos;
+        return page.find(fmt::format("`{}`", name)) != std::string::npos;
     };
     for (std::size_t i = 0; i < panel_kinds; ++i) {
         const PanelLayout& layout = layout_of(static_cast<PanelKind>(i));
