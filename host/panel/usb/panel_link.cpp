@@ -65,7 +65,7 @@ std::vector<FoundPanel> find_panels() {
 
 struct PanelLink::State {
     State(PanelUser& panel_user, Tell words)
-        : user(panel_user), tell(std::move(words)), desk{user, tell, counters} {}
+        : user(panel_user), tell(std::move(words)), around{user, tell, counters} {}
 
     void run();
     void watch();
@@ -83,7 +83,7 @@ struct PanelLink::State {
     PanelUser& user;
     Tell tell;
     Counters counters;
-    Desk desk;
+    Surroundings around;
     std::vector<std::unique_ptr<UsbPanel>> panels;
     bool told_by_bus = false;
     double look_again_s = 0.0;
@@ -93,7 +93,7 @@ struct PanelLink::State {
 };
 
 void PanelLink::State::tick() {
-    desk.now_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    around.now_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
 /// The bus calls in the middle of events: what has come is opened, and what has gone is closed, in the turn that follows.
@@ -110,7 +110,7 @@ void PanelLink::State::arrived(libusb_device* device) {
     const bool known = std::ranges::any_of(panels, [&](const auto& each) { return each->is(device); });
     if (known) return;
     if (const auto place = place_of(device))
-        panels.push_back(std::make_unique<UsbPanel>(device, *place, desk));
+        panels.push_back(std::make_unique<UsbPanel>(device, *place, around));
 }
 
 void PanelLink::State::gone(const libusb_device* device) {
@@ -127,8 +127,8 @@ void PanelLink::State::watch() {
 }
 
 void PanelLink::State::look_around() {
-    if (told_by_bus || desk.now_s < look_again_s) return;
-    look_again_s = desk.now_s + look_around_s;
+    if (told_by_bus || around.now_s < look_again_s) return;
+    look_again_s = around.now_s + look_around_s;
     std::vector<const libusb_device*> there;
     each_device(usb.context, [&](libusb_device* device) {
         there.push_back(device);
@@ -147,7 +147,7 @@ void PanelLink::State::handle_events() {
 
 void PanelLink::State::turn() {
     look_around();
-    user.turn(desk.now_s);
+    user.turn(around.now_s);
     for (const auto& each : panels)
         each->turn();
     std::erase_if(panels, [](const auto& each) { return each->left(); });
@@ -164,9 +164,9 @@ void PanelLink::State::run() {
 
 /// Dark, then closed. A device that does not even end its cancelled transfers is left to the end of the program.
 void PanelLink::State::finish() {
-    const double dark_by_s = desk.now_s + darkening_s;
+    const double dark_by_s = around.now_s + darkening_s;
     bool dark = false;
-    while (!dark && desk.now_s < dark_by_s) {
+    while (!dark && around.now_s < dark_by_s) {
         dark = true;
         for (const auto& each : panels)
             dark = each->darken() && dark;
@@ -174,8 +174,8 @@ void PanelLink::State::finish() {
     }
     for (const auto& each : panels)
         each->leave();
-    const double closed_by_s = desk.now_s + patience_s;
-    while (!panels.empty() && desk.now_s < closed_by_s) {
+    const double closed_by_s = around.now_s + patience_s;
+    while (!panels.empty() && around.now_s < closed_by_s) {
         turn();
         if (!panels.empty()) handle_events();
     }

@@ -40,20 +40,20 @@ const char* words_of(libusb_transfer_status status) {
 
 } // namespace
 
-UsbPanel::UsbPanel(libusb_device* device, PanelPlace place, Desk& desk)
-    : device_(libusb_ref_device(device)), place_(std::move(place)), desk_(desk) {}
+UsbPanel::UsbPanel(libusb_device* device, PanelPlace place, Surroundings& around)
+    : device_(libusb_ref_device(device)), place_(std::move(place)), around_(around) {}
 
 UsbPanel::~UsbPanel() { libusb_unref_device(device_); }
 
 void UsbPanel::trouble(const std::string& what) {
     if (std::ranges::find(told_, what) != told_.end()) return;
     told_.push_back(what);
-    desk_.tell(fmt::format("{}: {}", name_of(place_), what));
+    around_.tell(fmt::format("{}: {}", name_of(place_), what));
 }
 
 void UsbPanel::turn() {
     if (handle_ == nullptr) {
-        if (!leaving_ && !refused_ && desk_.now_s >= try_again_s_) open();
+        if (!leaving_ && !refused_ && around_.now_s >= try_again_s_) open();
         return;
     }
     if (leaving_ || lost_) {
@@ -66,7 +66,7 @@ void UsbPanel::turn() {
         libusb_clear_halt(handle_, endpoint_.address);
     }
     ask_for_reports();
-    if (control_.in_flight || desk_.now_s < control_.due_s) return;
+    if (control_.in_flight || around_.now_s < control_.due_s) return;
     if (!asked_)
         ask_for_state();
     else
@@ -74,7 +74,7 @@ void UsbPanel::turn() {
 }
 
 void UsbPanel::open() {
-    try_again_s_ = desk_.now_s + try_again_after_s;
+    try_again_s_ = around_.now_s + try_again_after_s;
     std::string why;
     const auto endpoint = find_endpoint(device_, why);
     if (!endpoint) {
@@ -99,7 +99,7 @@ void UsbPanel::open() {
     asked_ = halted_ = lost_ = false;
     failures_ = 0;
     taken_.clear();
-    desk_.user.attached(place_);
+    around_.user.attached(place_);
     turn();
 }
 
@@ -121,8 +121,8 @@ void UsbPanel::close() {
     for (Transfer& each : reports_)
         each.transfer.reset();
     control_.transfer.reset();
-    try_again_s_ = desk_.now_s + try_again_after_s;
-    desk_.user.detached(place_);
+    try_again_s_ = around_.now_s + try_again_after_s;
+    around_.user.detached(place_);
 }
 
 void UsbPanel::cancel() {
@@ -139,12 +139,12 @@ void UsbPanel::submit(Transfer& transfer) {
     const int error = libusb_submit_transfer(transfer.transfer.get());
     transfer.in_flight = error == 0;
     if (error == LIBUSB_ERROR_NO_DEVICE) lost_ = true;
-    if (error != 0) transfer.due_s = desk_.now_s + try_again_after_s;
+    if (error != 0) transfer.due_s = around_.now_s + try_again_after_s;
 }
 
 void UsbPanel::ask_for_reports() {
     for (Transfer& each : reports_) {
-        if (each.in_flight || halted_ || desk_.now_s < each.due_s) continue;
+        if (each.in_flight || halted_ || around_.now_s < each.due_s) continue;
         libusb_fill_interrupt_transfer(each.transfer.get(), handle_, endpoint_.address, each.bytes.data(),
                                        static_cast<int>(each.bytes.size()), report_done, this, 0);
         submit(each);
@@ -164,19 +164,19 @@ void UsbPanel::take_report(Transfer& report) {
     if (leaving_ || lost_ || done.status == LIBUSB_TRANSFER_CANCELLED) return;
     if (done.status != LIBUSB_TRANSFER_COMPLETED) return fail_report(report, done.status);
     failures_ = 0;
-    ++desk_.counters.reports;
-    desk_.user.report(place_, std::span(report.bytes).first(static_cast<std::size_t>(done.actual_length)),
-                      ReportSource::sent, desk_.now_s);
+    ++around_.counters.reports;
+    around_.user.report(place_, std::span(report.bytes).first(static_cast<std::size_t>(done.actual_length)),
+                        ReportSource::sent, around_.now_s);
     ask_for_reports();
 }
 
 /// What fails again and again is asked ever less often.
 void UsbPanel::fail_report(Transfer& report, libusb_transfer_status status) {
-    ++desk_.counters.failed_reports;
+    ++around_.counters.failed_reports;
     trouble(fmt::format("a report failed: {}; it is asked again", words_of(status)));
     halted_ = halted_ || status == LIBUSB_TRANSFER_STALL;
     const double doubled = first_pause_s * static_cast<double>(1U << std::min(failures_, 10U));
-    report.due_s = desk_.now_s + std::min(longest_pause_s, doubled);
+    report.due_s = around_.now_s + std::min(longest_pause_s, doubled);
     ++failures_;
 }
 
@@ -193,7 +193,7 @@ void UsbPanel::ask_for_state() {
 }
 
 void UsbPanel::light() {
-    const std::vector<std::uint8_t> bytes = desk_.user.wanted(place_);
+    const std::vector<std::uint8_t> bytes = around_.user.wanted(place_);
     if (!bytes.empty() && bytes != taken_) send_feature(bytes);
 }
 
@@ -219,23 +219,23 @@ void UsbPanel::take_answer() {
     if (done.status == LIBUSB_TRANSFER_NO_DEVICE) lost_ = true;
     if (lost_ || done.status == LIBUSB_TRANSFER_CANCELLED) return;
     const bool taken = done.status == LIBUSB_TRANSFER_COMPLETED;
-    control_.due_s = desk_.now_s + feature_pause_s;
+    control_.due_s = around_.now_s + feature_pause_s;
     if (question_ == Question::state) {
         if (!taken) return;
         const auto answer = std::span(control_.bytes).subspan(LIBUSB_CONTROL_SETUP_SIZE);
         const auto length = std::min(answer.size(), static_cast<std::size_t>(done.actual_length));
         if (length == report_bytes)
-            desk_.user.report(place_, answer.first(length), ReportSource::asked, desk_.now_s);
+            around_.user.report(place_, answer.first(length), ReportSource::asked, around_.now_s);
         return;
     }
     if (!taken) return fail_feature(words_of(done.status));
-    ++desk_.counters.features;
+    ++around_.counters.features;
     taken_ = sent_;
 }
 
 void UsbPanel::fail_feature(const std::string& why) {
-    ++desk_.counters.failed_features;
-    control_.due_s = desk_.now_s + try_again_after_s;
+    ++around_.counters.failed_features;
+    control_.due_s = around_.now_s + try_again_after_s;
     trouble(fmt::format("its lamps and displays cannot be set: {}; it is tried again and again", why));
 }
 
@@ -244,7 +244,7 @@ bool UsbPanel::darken() {
     const auto dark = layout_of(place_.kind).dark;
     const std::vector<std::uint8_t> bytes(dark.begin(), dark.end());
     if (control_.in_flight) return false;
-    if (bytes == taken_ || desk_.now_s < control_.due_s - feature_pause_s) return true;
+    if (bytes == taken_ || around_.now_s < control_.due_s - feature_pause_s) return true;
     send_feature(bytes);
     return !control_.in_flight;
 }

@@ -40,7 +40,7 @@ struct Counters {
 };
 
 /// What panels share; outlives them.
-struct Desk {
+struct Surroundings {
     PanelUser& user;
     Tell& tell;
     Counters& counters;
@@ -50,7 +50,7 @@ struct Desk {
 class UsbPanel {
 public:
     /// Keeps a reference to the device.
-    UsbPanel(libusb_device* device, PanelPlace place, Desk& desk);
+    UsbPanel(libusb_device* device, PanelPlace place, Surroundings& around);
     /// Only while idle.
     ~UsbPanel();
     UsbPanel(const UsbPanel&) = delete;
@@ -101,7 +101,7 @@ private:
 
     libusb_device* device_;
     PanelPlace place_;
-    Desk& desk_;
+    Surroundings& around_;
     ReportEndpoint endpoint_;
     libusb_device_handle* handle_ = nullptr;
     std::array<Transfer, reports_in_flight> reports_;
