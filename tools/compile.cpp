@@ -10,11 +10,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 
 namespace linkdig::tools {
@@ -99,7 +102,20 @@ std::string line_text(const database::CompileResult& result) {
            mesh_text(result) + budget_text(result);
 }
 
+/// Would the output take the place of a file that the database is made of?
+bool is_source(const database::CompileResult& result, const std::string& output) {
+    return std::ranges::any_of(result.files, [&](const std::string& file) {
+        std::error_code none; // a file that is not there is not the same
+        return std::filesystem::equivalent(file, output, none);
+    });
+}
+
 int compile_once(const Arguments& arguments, const database::CompileResult& result) {
+    if (is_source(result, arguments.output)) {
+        fmt::print(stderr, "error: {} is a file that the database is made of; expected another output\n",
+                   arguments.output);
+        return bad_input;
+    }
     if (!result.database) {
         fmt::print(stderr, "{}", result.diagnostics.text());
         return bad_input;
@@ -125,6 +141,7 @@ int compile_and_watch(const Arguments& arguments) {
     FileWatch watch;
     for (;;) {
         const database::CompileResult result = database::compile_file(arguments.source);
+        if (is_source(result, arguments.output)) return compile_once(arguments, result);
         compile_once(arguments, result);
         std::fflush(stdout);
         watch.set(result.files);

@@ -77,6 +77,24 @@ TEST(CommandLine, ValuesOfRenderAreChecked) {
     EXPECT_EQ(outcome.exit_code, 2);
 }
 
+/// A slip of the pen would cost an author the work: the source, and what it includes, are no output.
+TEST(CommandLine, NoSourceIsOverwritten) {
+    const TemporaryFolder folder;
+    const std::string source = folder.file("a.toml");
+    const std::string included = folder.file("b.toml");
+    const std::string words = "include = [\"b.toml\"]\n[database]\nname = \"a\"\n";
+    std::ofstream(source) << words;
+    std::ofstream(included) << "[[sun]]\nname = \"sun\"\n";
+    for (const std::string& output : {source, included, folder.file("./a.toml")}) {
+        const Outcome outcome = run("compile " + source + " -o " + output);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_THAT(outcome.errors, HasSubstr(output + " is a file that the database is made of"));
+    }
+    std::ostringstream left;
+    left << std::ifstream(source).rdbuf();
+    EXPECT_EQ(left.str(), words);
+}
+
 TEST(CommandLine, AFolderThatCannotBeMadeIsTheEnvironments) {
     const TemporaryFolder folder;
     std::ofstream(folder.file("file")) << "in the way";
