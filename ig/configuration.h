@@ -26,7 +26,8 @@ struct Raster {
 struct Capacity {
     std::uint64_t edges = 0;               ///< of all channels together
     std::uint64_t crossings_on_a_line = 0; ///< edges that span one line, seen or hidden
-    bool limited() const { return edges != 0 || crossings_on_a_line != 0; }
+    std::uint64_t light_points = 0;        ///< that shine into a picture, of all channels together
+    bool limited() const { return edges != 0 || crossings_on_a_line != 0 || light_points != 0; }
 };
 
 struct Configuration {
@@ -41,8 +42,6 @@ struct Configuration {
     /// Pixels that an edge crosses show each face by its share of their area.
     bool edge_smoothing = false;
     Capacity capacity{};
-    /// Light points drawn per channel; beyond it the nearest in priority stay.
-    std::size_t most_lights = ~std::size_t{0};
     /// Threads that draw bands; 0: as many as the machine has. The picture does not depend on it.
     std::uint32_t threads = 0;
 };

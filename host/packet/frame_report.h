@@ -32,7 +32,12 @@ struct Overload {
     std::uint64_t objects_left_out = 0; ///< for their size
     std::uint64_t edges_over = 0;       ///< beyond the limit, in this frame all the same
     std::uint64_t crossings_over = 0;   ///< likewise, on the busiest line
-    bool any() const { return step != 0 || edges_over != 0 || crossings_over != 0; }
+    std::uint32_t light_step = 0;       ///< every 2^light_step-th light point was there
+    std::uint64_t lights_left_out = 0;  ///< of all channels together, seen or not
+    std::uint64_t lights_over = 0;      ///< beyond the limit, in this frame all the same
+    bool beyond_a_limit() const { return edges_over != 0 || crossings_over != 0 || lights_over != 0; }
+    bool shed() const { return step != 0 || light_step != 0; }
+    bool any() const { return shed() || beyond_a_limit(); }
     bool operator==(const Overload&) const = default;
 };
 

@@ -95,6 +95,7 @@ void activate(const VisualDatabase& database, const FramePacket& packet, const C
     active.time_s = packet.time_s;
     active.visibility_m = static_cast<double>(packet.visibility_m);
     active.light_points = packet.light_points;
+    active.light_step = configuration.capacity.limited() ? history.load.light_step : 0;
     place_clusters(database, packet, active);
     point_slots(database, packet, active);
     choose_levels(database, packet, history, active);

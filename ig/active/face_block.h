@@ -59,10 +59,11 @@ struct ActiveDatabase {
     std::vector<ClusterPose> poses;     ///< parallel to VisualDatabase::clusters
     std::vector<ClusterPriority> moved; ///< clusters that leave their group this frame, by number, then index
     std::vector<std::uint32_t>
-        slot_index;            ///< parallel to VisualDatabase::slots: the alternative that is present
-    double time_s = 0.0;       ///< of the packet: what flashes by
-    double visibility_m = 0.0; ///< 0: unlimited
-    float light_points = 1.0F; ///< factor on the intensity of light points
+        slot_index;               ///< parallel to VisualDatabase::slots: the alternative that is present
+    double time_s = 0.0;          ///< of the packet: what flashes by
+    double visibility_m = 0.0;    ///< 0: unlimited
+    float light_points = 1.0F;    ///< factor on the intensity of light points
+    std::uint32_t light_step = 0; ///< 0 where the machine has no limits: see light_steps.h
 
     std::vector<std::uint16_t>
         level_opacity; ///< parallel to VisualDatabase::detail_levels: of 256; 0 is absent

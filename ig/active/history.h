@@ -9,9 +9,11 @@ namespace linkdig::ig {
 
 /// How much detail overload has taken away (ig/active/shedding.h), and what the machine waits for.
 struct LoadState {
-    std::uint32_t step = 0; ///< of the shedding order
-    std::uint32_t calm = 0; ///< frames in a row that would bear one step less
-    std::uint32_t over = 0; ///< frames in a row beyond a limit
+    std::uint32_t step = 0;       ///< of the shedding order
+    std::uint32_t calm = 0;       ///< frames in a row that would bear one step less
+    std::uint32_t over = 0;       ///< frames in a row beyond a limit
+    std::uint32_t light_step = 0; ///< of the shedding of light points
+    std::uint32_t light_calm = 0; ///< frames in a row that would bear one light step less
     bool operator==(const LoadState&) const = default;
 };
 

@@ -4,6 +4,9 @@
 ///   steps 1 to 8    levels of detail end at 2^(-step/2) of their range, down to 1/16: coarser levels take their place
 ///   steps 9 to 16   besides, objects that look smaller than 2^(step-9) pixels are left out: 1 to 128
 ///
+/// Light points have a limit and steps of their own (ig/active/light_steps.h), since nothing else that is left out makes
+/// them fewer.
+///
 /// Which step a frame is drawn at was decided by counts of the frames before it (ig/machine/load.h), never by time. The
 /// step is one for all channels: what one window of a cab leaves out, its neighbour does.
 

@@ -97,7 +97,7 @@ private:
     /// The light points of a run that stand before its face number `place`.
     void put_lights(const FaceRun& run, std::uint32_t place, std::uint32_t& put) {
         for (; put < run.light_count && block_->lights[run.first_light + put].place <= place; ++put)
-            lights_.put(block_->lights[run.first_light + put], fade_);
+            lights_.put(block_->lights, run.first_light + put, fade_);
     }
 
     // ---- vertices
@@ -475,6 +475,8 @@ void project(const ActiveDatabase& active, const PriorityOrder& order, const Cha
     projected.lights.clear();
     projected.offered = 0;
     projected.lights_offered = 0;
+    projected.lights_left_out = 0;
+    projected.lights_at_step = {};
     Projector(active, channel, raster, with_depth, scratch, projected).run(order);
 }
 

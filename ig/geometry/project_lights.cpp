@@ -56,10 +56,24 @@ void LightProjector::enter(const Mat3d& channel_from_list, const Vec3d& origin_m
     at_eye_ = at_eye;
 }
 
-void LightProjector::put(const LightPoint& light, std::uint32_t fade) {
-    if (!is_lit(light, active_.time_s)) return;
+/// A light that would be back one step before is looked at as well: the next frame's step follows from how many are.
+void LightProjector::put(std::span<const LightPoint> lights, std::uint32_t index, std::uint32_t fade) {
+    const std::uint32_t last_step = last_step_of_light(index);
+    const bool there = last_step >= active_.light_step;
+    out_.lights_left_out += there ? 0 : 1;
+    if (last_step + 1 < active_.light_step) return;
+    ProjectedLight projected;
+    if (!project(lights[index], fade, projected)) return;
+    for (std::uint32_t step = 0; step <= last_step; ++step)
+        ++out_.lights_at_step[step];
+    if (there) out_.lights.push_back(projected);
+}
+
+/// False: nothing of it reaches the picture.
+bool LightProjector::project(const LightPoint& light, std::uint32_t fade, ProjectedLight& projected) const {
+    if (!is_lit(light, active_.time_s)) return false;
     const Vec3d p = channel_from_list_ * Vec3d(light.position) + origin_;
-    if (p.z < near_plane_m) return;
+    if (p.z < near_plane_m) return false;
     const double size = pixels_at_one_m_ * static_cast<double>(light.size_m) / p.z; // 1/256 pixel
     const auto radius = static_cast<std::int32_t>(std::clamp(size, static_cast<double>(least_splat_radius),
                                                              static_cast<double>(greatest_splat_radius)));
@@ -69,16 +83,17 @@ void LightProjector::put(const LightPoint& light, std::uint32_t fade) {
     const double element = std::floor((view_.vertical ? row : column) + 0.5);
     const double reach = radius;
     if (!(line > -reach && line < last_line_ + reach && element > -reach && element < last_element_ + reach))
-        return;
+        return false;
     bool back = false;
     const double beam = beam_part(light, glm::transpose(channel_from_list_) * -p, back) * fade / 256.0;
     const double light_of_splat = std::floor(total(light, beam, glm::length(p), radius) + 0.5);
-    if (light_of_splat < 1.0) return;
-    out_.lights.push_back({.at = {static_cast<std::int32_t>(line), static_cast<std::int32_t>(element)},
-                           .radius = radius,
-                           .total = static_cast<std::uint32_t>(light_of_splat),
-                           .rank = static_cast<std::uint32_t>(out_.faces.size()),
-                           .colour = back ? light.back_colour : light.colour});
+    if (light_of_splat < 1.0) return false;
+    projected = {.at = {static_cast<std::int32_t>(line), static_cast<std::int32_t>(element)},
+                 .radius = radius,
+                 .total = static_cast<std::uint32_t>(light_of_splat),
+                 .rank = static_cast<std::uint32_t>(out_.faces.size()),
+                 .colour = back ? light.back_colour : light.colour};
+    return true;
 }
 
 double LightProjector::total(const LightPoint& light, double beam, double range_m,

@@ -12,6 +12,8 @@
 #include "ig/geometry/projected_face.h"
 #include "ig/geometry/view.h"
 
+#include <span>
+
 namespace linkdig::ig {
 
 /// Radius of the smallest splat: a point between four pixels still reaches all four, and one that moves keeps its
@@ -38,11 +40,12 @@ public:
     /// The lists' frame that the following lights stand in.
     void enter(const Mat3d& channel_from_list, const Vec3d& origin_m, bool at_eye);
 
-    /// Puts out the light, behind all faces put out so far, if it shines into the picture. `fade`, of 256: that of its
-    /// level of detail.
-    void put(const LightPoint& light, std::uint32_t fade);
+    /// Puts out light number `index`, behind all faces put out so far, if the light step lets it through and it shines into
+    /// the picture. `fade`, of 256: that of its level of detail.
+    void put(std::span<const LightPoint> lights, std::uint32_t index, std::uint32_t fade);
 
 private:
+    bool project(const LightPoint& light, std::uint32_t fade, ProjectedLight& projected) const;
     double total(const LightPoint& light, double part, double range_m, std::int32_t radius) const;
 
     const ActiveDatabase& active_;

@@ -8,7 +8,9 @@
 ///   intensity   1.0 = 2^22, 0 to 1.0
 
 #include "database/model/vectors.h"
+#include "ig/active/light_steps.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -92,7 +94,11 @@ struct ProjectedFaces {
     std::vector<DepthPlane> depths;
     std::vector<ProjectedLight> lights; ///< ascending by rank
     std::uint64_t offered = 0;          ///< faces looked at
-    std::uint64_t lights_offered = 0;   ///< light points looked at
+    std::uint64_t lights_offered = 0;   ///< light points of those runs
+    std::uint64_t lights_left_out = 0;  ///< of them, by the light step
+    /// Light points that shine into the picture and that each light step lets through; true from the step before the
+    /// present one on, and nothing before that.
+    std::array<std::uint64_t, light_steps + 1> lights_at_step{};
 };
 
 } // namespace linkdig::ig

@@ -85,12 +85,12 @@ void sort_by_band(std::uint32_t bands, Splats& splats) {
 } // namespace
 
 void make_splats(std::span<const ProjectedLight> lights, const Raster& raster, std::uint32_t lines_per_band,
-                 std::size_t most, Splats& splats) {
+                 Splats& splats) {
     splats.pixels.clear();
     splats.unsorted.clear();
     splats.band_of.clear();
     SplatMaker maker(raster, lines_per_band, splats);
-    for (std::size_t k = 0; k < std::min(most, lights.size()); ++k)
+    for (std::size_t k = 0; k < lights.size(); ++k)
         maker.put(lights[k], static_cast<std::uint32_t>(k));
     sort_by_band((raster.lines() + lines_per_band - 1) / lines_per_band, splats);
 }

@@ -44,9 +44,8 @@ struct Splats {
     }
 };
 
-/// Pixels of every light inside the picture, for bands of `lines_per_band` lines. `most`: lights beyond this many, in
-/// the order of their rank, are left out.
+/// Pixels of every light inside the picture, for bands of `lines_per_band` lines.
 void make_splats(std::span<const ProjectedLight> lights, const Raster& raster, std::uint32_t lines_per_band,
-                 std::size_t most, Splats& splats);
+                 Splats& splats);
 
 } // namespace linkdig::ig

@@ -1,12 +1,14 @@
 #include "ig/machine/history_bytes.h"
 
+#include "ig/active/light_steps.h"
 #include "ig/active/shedding.h"
 
 namespace linkdig::ig {
 
 namespace {
 
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version_without_light_steps = 1;
 
 void put(std::uint32_t number, std::vector<std::uint8_t>& bytes) {
     for (unsigned shift = 0; shift < 32; shift += 8)
@@ -37,7 +39,8 @@ std::vector<std::uint8_t> encode_history(const History& history) {
     put(static_cast<std::uint32_t>(history.held_level.size()), bytes);
     for (const std::uint32_t level : history.held_level)
         put(level, bytes);
-    for (const std::uint32_t number : {history.load.step, history.load.calm, history.load.over})
+    for (const std::uint32_t number : {history.load.step, history.load.calm, history.load.over,
+                                       history.load.light_step, history.load.light_calm})
         put(number, bytes);
     return bytes;
 }
@@ -45,7 +48,8 @@ std::vector<std::uint8_t> encode_history(const History& history) {
 std::optional<History> decode_history(std::span<const std::uint8_t> bytes) {
     if (bytes.empty()) return History{};
     Reading reading{bytes};
-    if (reading.next() != version) return std::nullopt;
+    const std::uint32_t written_as = reading.next();
+    if (written_as != version && written_as != version_without_light_steps) return std::nullopt;
     const std::uint32_t details = reading.next();
     if (!reading.whole || details > reading.bytes.size() / 4) return std::nullopt;
     History history;
@@ -54,7 +58,11 @@ std::optional<History> decode_history(std::span<const std::uint8_t> bytes) {
     history.load.step = reading.next();
     history.load.calm = reading.next();
     history.load.over = reading.next();
-    if (history.load.step > most_steps) return std::nullopt;
+    if (written_as == version) {
+        history.load.light_step = reading.next();
+        history.load.light_calm = reading.next();
+    }
+    if (history.load.step > most_steps || history.load.light_step > light_steps) return std::nullopt;
     if (!reading.whole || !reading.bytes.empty()) return std::nullopt;
     return history;
 }

@@ -2,7 +2,8 @@
 /// The machine's history as bytes: the first record of a recording (host/packet/recording.h), which holds it without
 /// knowing what it is.
 ///
-/// All numbers little-endian, 32 bits each: version; number of details; the level held of each; load: step, calm, over.
+/// All numbers little-endian, 32 bits each: version; number of details; the level held of each; load: step, calm, over,
+/// light step, light calm. Version 1 had no light steps; it is still read.
 
 #include "ig/active/history.h"
 

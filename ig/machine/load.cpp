@@ -175,6 +175,30 @@ void count_edges(const ActiveDatabase& active, const ProjectedFaces& projected, 
     }
 }
 
+namespace {
+
+/// Steps beyond the present one, and the one before it, are known exactly (ProjectedFaces::lights_at_step).
+void settle_lights(const LoadCounts& counts, std::uint64_t limit, LoadState& load, Overload& overload) {
+    overload.light_step = load.light_step;
+    overload.lights_left_out = counts.lights_left_out;
+    overload.lights_over = beyond(counts.lights_at_step[load.light_step], limit);
+    if (overload.lights_over != 0) {
+        load.light_calm = 0;
+        while (load.light_step < light_steps && !within(counts.lights_at_step[load.light_step], limit, 7))
+            ++load.light_step;
+        return;
+    }
+    const bool bears_more =
+        load.light_step > 0 && within(counts.lights_at_step[load.light_step - 1], limit, 7);
+    load.light_calm = bears_more ? load.light_calm + 1 : 0;
+    if (load.light_calm >= calm_frames) {
+        --load.light_step;
+        load.light_calm = 0;
+    }
+}
+
+} // namespace
+
 Overload settle_load(const VisualDatabase& database, const FramePacket& packet, const Capacity& capacity,
                      const ActiveDatabase& active, LoadCounts& counts, History& history) {
     LoadState& load = history.load;
@@ -182,7 +206,8 @@ Overload settle_load(const VisualDatabase& database, const FramePacket& packet, 
     overload.step = load.step;
     overload.edges_over = beyond(counts.edges, capacity.edges);
     overload.crossings_over = beyond(counts.crossings, capacity.crossings_on_a_line);
-    if (!overload.any()) return overload;
+    settle_lights(counts, capacity.light_points, load, overload);
+    if (load.step == 0 && overload.edges_over == 0 && overload.crossings_over == 0) return overload;
     Forecast forecast(database, packet, active, history, counts);
     if (load.step > 0) {
         overload.range_factor = 1.0 / biased_range_m(1.0, bias_at_step(load.step));

@@ -4,16 +4,19 @@
 /// A frame beyond a limit is completed; its own counts, object by object, tell what each step would have saved, and the
 /// first step that is enough, with an eighth to spare, is taken at once. A step is taken back when the counts, with all
 /// that would return counted at its most, have borne it for `calm_frames` frames: so a scene that stands still never goes back
-/// and forth.
+/// and forth. Light points have steps of their own; what each step leaves of the frame at hand is counted, not
+/// forecast.
 
 #include "host/packet/frame_packet.h"
 #include "host/packet/frame_report.h"
 #include "ig/active/face_block.h"
 #include "ig/active/history.h"
+#include "ig/active/light_steps.h"
 #include "ig/configuration.h"
 #include "ig/edges/edge.h"
 #include "ig/geometry/projected_face.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,8 +27,10 @@ inline constexpr std::uint32_t calm_frames = 16;
 /// What a frame's channels add up to.
 struct LoadCounts {
     std::uint64_t edges = 0;
-    std::uint64_t crossings = 0;             ///< on the busiest line of any channel
-    std::uint64_t channels = 0;              ///< that are on
+    std::uint64_t crossings = 0;                                 ///< on the busiest line of any channel
+    std::uint64_t channels = 0;                                  ///< that are on
+    std::array<std::uint64_t, light_steps + 1> lights_at_step{}; ///< ProjectedFaces::lights_at_step
+    std::uint64_t lights_left_out = 0;
     std::vector<std::uint64_t> object_edges; ///< parallel to VisualDatabase::objects
     /// Working storage of the forecast.
     std::vector<std::uint16_t> opacity, opacity_at_step;

@@ -171,10 +171,8 @@ struct Machine::State {
         });
         run(&StageTimes::edges_s,
             [&] { make_edges(channel.projected, raster, configuration.edge_smoothing, channel.edges); });
-        run(&StageTimes::lights_s, [&] {
-            make_splats(channel.projected.lights, raster, band_lines, configuration.most_lights,
-                        channel.splats);
-        });
+        run(&StageTimes::lights_s,
+            [&] { make_splats(channel.projected.lights, raster, band_lines, channel.splats); });
         run(&StageTimes::bands_s, [&] { sort_into_bands(channel.edges, raster.lines(), channel.bands); });
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
         draw_bands(packet, channel);
@@ -185,6 +183,8 @@ struct Machine::State {
 
     void clear_load() {
         load.edges = load.crossings = load.channels = 0;
+        load.lights_at_step = {};
+        load.lights_left_out = 0;
         std::fill(load.object_edges.begin(), load.object_edges.end(), 0);
     }
 
@@ -192,6 +192,9 @@ struct Machine::State {
         count_edges(active, channel.projected, channel.edges, load);
         load.edges += counts.edges;
         load.crossings = std::max(load.crossings, counts.most_crossings_on_a_line);
+        for (std::size_t step = 0; step < load.lights_at_step.size(); ++step)
+            load.lights_at_step[step] += channel.projected.lights_at_step[step];
+        load.lights_left_out += channel.projected.lights_left_out;
         ++load.channels;
     }
 

@@ -79,7 +79,7 @@ TEST(Splat, WeightsSumToTheWholeAtEverySixteenthOfAPixel) {
         for (std::int32_t down = 0; down <= 256; down += 16) {
             for (std::int32_t right = 0; right <= 256; right += 16) {
                 const ProjectedLight light{.at = {32 * 256 + down, 31 * 256 + right}, .radius = radius};
-                make_splats({&light, 1}, raster, 32, 1, splats);
+                make_splats({&light, 1}, raster, 32, splats);
                 std::uint64_t sum = 0;
                 std::uint32_t peak = 0;
                 for (const SplatPixel& pixel : splats.pixels) {
@@ -99,7 +99,7 @@ TEST(Splat, WeightsSumToTheWholeAtEverySixteenthOfAPixel) {
 TEST(Splat, IsRoundAndFallsFromItsMiddle) {
     Splats splats;
     const ProjectedLight light{.at = {32 * 256 + 128, 32 * 256 + 128}, .radius = 10 * 256};
-    make_splats({&light, 1}, {64, 64, Scan::horizontal}, 64, 1, splats);
+    make_splats({&light, 1}, {64, 64, Scan::horizontal}, 64, splats);
     for (const SplatPixel& pixel : splats.pixels) {
         const double r2 = std::pow(pixel.line - 32.0, 2) + std::pow(pixel.element - 32.0, 2);
         ASSERT_LT(r2, 100.0);
@@ -109,20 +109,17 @@ TEST(Splat, IsRoundAndFallsFromItsMiddle) {
     }
 }
 
-TEST(Splat, ABandOwnsItsLinesAndTheCountLimits) {
+TEST(Splat, ABandOwnsItsLines) {
     Splats splats;
     std::vector<ProjectedLight> lights(5, {.at = {32 * 256, 10 * 256}, .radius = least_splat_radius});
     lights[4].at = {-100, -100}; // a corner of it is in the picture
-    make_splats(lights, {64, 64, Scan::horizontal}, 32, 3, splats);
-    EXPECT_EQ(splats.of(0).size(), 3U);
-    EXPECT_EQ(splats.of(1).size(), 3U);
+    make_splats(lights, {64, 64, Scan::horizontal}, 32, splats);
+    EXPECT_EQ(splats.of(0).size(), 5U);
+    EXPECT_EQ(splats.of(1).size(), 4U);
     for (const std::size_t band : {0U, 1U})
         for (const BandLight& light : splats.of(band))
             for (std::uint32_t k = 0; k < light.pixel_count; ++k)
                 EXPECT_EQ(splats.pixels[light.first_pixel + k].line / 32, band);
-    make_splats(lights, {64, 64, Scan::horizontal}, 32, 5, splats);
-    EXPECT_EQ(splats.of(0).size(), 5U);
-    EXPECT_EQ(splats.of(1).size(), 4U);
 }
 
 TEST(LightPoints, KeepTheirTotalWhereverBetweenPixelsTheyStand) {
@@ -415,20 +412,6 @@ TEST(LightPoints, AHundredThousandGiveTheSameBytesOnAnyNumberOfThreadsAndSimdLev
         }
         use_simd_level("best");
     }
-}
-
-TEST(LightPoints, TheCountLimitsHowManyAreDrawn) {
-    const VisualDatabase d =
-        lights_database(std::vector<LightPoint>(10, {.position = {100, 0, 0}, .intensity = 0.01F}));
-    Configuration configuration = small_machine();
-    configuration.most_lights = 4;
-    Machine few(d, configuration);
-    few.frame(packet_of(d, fine_view(64, 64)));
-    const VisualDatabase four =
-        lights_database(std::vector<LightPoint>(4, {.position = {100, 0, 0}, .intensity = 0.01F}));
-    Machine all(four, small_machine());
-    all.frame(packet_of(four, fine_view(64, 64)));
-    EXPECT_EQ(few.picture(0).pixels, all.picture(0).pixels);
 }
 
 } // namespace

@@ -14,6 +14,9 @@ void add_capacity_options(CLI::App& app, ig::Capacity& capacity) {
         ->capture_default_str();
     app.add_option("--crossings", capacity.crossings_on_a_line, "Edges that it takes on one line; likewise")
         ->capture_default_str();
+    app.add_option("--lights", capacity.light_points,
+                   "Light points that it takes of one frame, all channels; beyond it strings grow thin")
+        ->capture_default_str();
 }
 
 void print_overload(const FlightCosts& costs) {

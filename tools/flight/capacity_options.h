@@ -8,7 +8,7 @@
 
 namespace linkdig::tools {
 
-/// --edges and --crossings, into `capacity`.
+/// --edges, --crossings and --lights, into `capacity`.
 void add_capacity_options(CLI::App& app, ig::Capacity& capacity);
 
 /// To stderr: how many frames were beyond a limit or drawn with less, and what was left out. Nothing if none was.

@@ -112,9 +112,10 @@ const FrameReport& Flight::drawn(const FramePacket& packet) {
     costs_.worst_s = std::max(costs_.worst_s, taken_s);
     costs_.most_edges = std::max(costs_.most_edges, edges);
     const Overload& overload = report.overload;
-    costs_.over_limit += overload.edges_over != 0 || overload.crossings_over != 0 ? 1 : 0;
-    costs_.shed += overload.step != 0 ? 1 : 0;
-    if (overload.any() && overload.step >= costs_.worst.step) costs_.worst = overload;
+    costs_.over_limit += overload.beyond_a_limit() ? 1 : 0;
+    costs_.shed += overload.shed() ? 1 : 0;
+    if (overload.any() && overload.step + overload.light_step >= costs_.worst.step + costs_.worst.light_step)
+        costs_.worst = overload;
     costs_.over_period += taken_s * loop_.update_rate_hz() > 1.0 ? 1 : 0;
     return report;
 }
