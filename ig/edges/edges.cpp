@@ -213,4 +213,20 @@ void make_edges(const ProjectedFaces& projected, const Raster& raster, bool smoo
         maker.put(face);
 }
 
+void append(const FaceEdges& part, FaceEdges& all) {
+    const auto first_edge = static_cast<std::uint32_t>(all.edges.size());
+    const auto first_outline = static_cast<std::uint32_t>(all.outlines.size());
+    const auto first_plane = static_cast<std::int32_t>(all.planes.size());
+    all.faces.reserve(all.faces.size() + part.faces.size());
+    for (const EdgeFace& face : part.faces) {
+        EdgeFace& added = all.faces.emplace_back(face);
+        added.first_edge += first_edge;
+        added.first_outline += first_outline;
+        if (added.plane >= 0) added.plane += first_plane;
+    }
+    all.edges.insert(all.edges.end(), part.edges.begin(), part.edges.end());
+    all.outlines.insert(all.outlines.end(), part.outlines.begin(), part.outlines.end());
+    all.planes.insert(all.planes.end(), part.planes.begin(), part.planes.end());
+}
+
 } // namespace linkdig::ig

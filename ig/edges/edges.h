@@ -10,6 +10,9 @@ namespace linkdig::ig {
 /// With smoothing the faces' outlines are made, too, and their lines are those that they touch at all.
 void make_edges(const ProjectedFaces& projected, const Raster& raster, bool smoothing, FaceEdges& edges);
 
+/// Adds the edges of the next part of the faces behind what is there.
+void append(const FaceEdges& part, FaceEdges& all);
+
 /// First element whose centre is at or beyond the edge's crossing of `line`; may lie outside the raster.
 inline std::int32_t first_element(const Edge& edge, std::int32_t line) {
     const auto steps = static_cast<std::uint64_t>(line - edge.first_line);

@@ -46,24 +46,28 @@ public:
         side_length_[3] = std::sqrt(1.0 + view_.top * view_.top);
     }
 
-    void run(const PriorityOrder& order) {
+    void run(const PriorityOrder& order, const OrderPart& part) {
         out_.scale = view_.scale;
         std::uint32_t entered = ~0U;
-        for (const RankedRun& ranked : order.runs) {
+        const std::size_t end_run = part.to.run + (part.to.face > 0 ? 1 : 0);
+        for (std::size_t r = part.from.run; r < end_run; ++r) {
+            const RankedRun& ranked = order.runs[r];
             if (ranked.block != entered) enter(ranked.block);
             entered = ranked.block;
             const FaceRun& run = block_->runs[ranked.run];
-            out_.offered += run.face_count;
-            out_.lights_offered += run.light_count;
+            const std::uint32_t begin = r == part.from.run ? part.from.face : 0;
+            const std::uint32_t end = r == part.to.run ? part.to.face : run.face_count;
+            out_.offered += end - begin;
+            out_.lights_offered += begin == 0 ? run.light_count : 0;
             if (!in_sight(run)) continue;
             fade_ = level_opacity(active_, run.level);
             level_ = fade_ < opaque ? run.level : none;
-            std::uint32_t lights_put = 0;
-            for (std::uint32_t f = 0; f < run.face_count; ++f) {
+            std::uint32_t lights_put = lights_before(run, begin);
+            for (std::uint32_t f = begin; f < end; ++f) {
                 put_lights(run, f, lights_put);
                 put_face(run.first_face + f);
             }
-            put_lights(run, run.face_count, lights_put);
+            if (end == run.face_count) put_lights(run, end, lights_put);
         }
     }
 
@@ -92,6 +96,14 @@ private:
                view_.right * c.z - c.x >= -r * side_length_[1] &&
                c.y - view_.bottom * c.z >= -r * side_length_[2] &&
                view_.top * c.z - c.y >= -r * side_length_[3];
+    }
+
+    /// Light points of a run that an earlier part put out, with the faces before `begin`.
+    std::uint32_t lights_before(const FaceRun& run, std::uint32_t begin) const {
+        std::uint32_t before = 0;
+        while (before < run.light_count && block_->lights[run.first_light + before].place < begin)
+            ++before;
+        return before;
     }
 
     /// The light points of a run that stand before its face number `place`.
@@ -466,8 +478,9 @@ std::int32_t lit_intensity(const FaceBlock& block, const Vec3f& normal) {
                                      0.5F);
 }
 
-void project(const ActiveDatabase& active, const PriorityOrder& order, const ChannelView& channel,
-             const Raster& raster, bool with_depth, GeometryScratch& scratch, ProjectedFaces& projected) {
+void project(const ActiveDatabase& active, const PriorityOrder& order, const OrderPart& part,
+             const ChannelView& channel, const Raster& raster, bool with_depth, GeometryScratch& scratch,
+             ProjectedFaces& projected) {
     projected.faces.clear();
     projected.points.clear();
     projected.triangles.clear();
@@ -477,7 +490,7 @@ void project(const ActiveDatabase& active, const PriorityOrder& order, const Cha
     projected.lights_offered = 0;
     projected.lights_left_out = 0;
     projected.lights_at_step = {};
-    Projector(active, channel, raster, with_depth, scratch, projected).run(order);
+    Projector(active, channel, raster, with_depth, scratch, projected).run(order, part);
 }
 
 } // namespace linkdig::ig

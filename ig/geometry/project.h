@@ -9,6 +9,7 @@
 #include "ig/active/face_block.h"
 #include "ig/configuration.h"
 #include "ig/geometry/clip.h"
+#include "ig/geometry/parts.h"
 #include "ig/geometry/projected_face.h"
 #include "ig/geometry/view.h"
 #include "ig/priority/ranked_run.h"
@@ -34,10 +35,11 @@ struct GeometryScratch {
     std::vector<ClipPoint> pieces;
 };
 
-/// Projects the present faces in priority order. The result's order is the rank. Depth planes are made where range
+/// Projects the present faces of a part of the priority order. The result's order is the rank. Depth planes are made where range
 /// plays a part (limited visibility), and never for what is centred on the eye.
-void project(const ActiveDatabase& active, const PriorityOrder& order, const ChannelView& channel,
-             const Raster& raster, bool with_depth, GeometryScratch& scratch, ProjectedFaces& projected);
+void project(const ActiveDatabase& active, const PriorityOrder& order, const OrderPart& part,
+             const ChannelView& channel, const Raster& raster, bool with_depth, GeometryScratch& scratch,
+             ProjectedFaces& projected);
 
 /// Intensity of a normal under a block's light: ambient + diffuse * max(0, n.s), clamped to [0, 1], 1.0 =
 /// 2^22.

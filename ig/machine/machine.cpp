@@ -4,6 +4,7 @@
 #include "ig/active/activate.h"
 #include "ig/active/shedding.h"
 #include "ig/edges/edges.h"
+#include "ig/geometry/parts.h"
 #include "ig/geometry/project.h"
 #include "ig/lights/splat.h"
 #include "ig/machine/fork_join.h"
@@ -42,12 +43,23 @@ struct BandCounts {
     std::uint64_t light_pixels = 0;
 };
 
+/// Faces that make it worth while to share a channel's geometry among threads.
+constexpr std::uint64_t faces_worth_sharing = 512;
+
+/// What one thread needs to project a part of a channel's faces; the first part goes where the whole will stand.
+struct GeometryPart {
+    GeometryScratch scratch;
+    ProjectedFaces projected;
+    FaceEdges edges;
+};
+
 /// One channel's stages, in order, and what passes between them.
 struct Channel {
     Vec3d eye_m{0};
     PriorityScratch priority_scratch;
     PriorityOrder order;
-    GeometryScratch geometry_scratch;
+    std::vector<OrderPart> cut;
+    std::vector<GeometryPart> parts;
     ProjectedFaces projected;
     FaceEdges edges;
     Splats splats;
@@ -164,13 +176,25 @@ struct Machine::State {
         run(&StageTimes::priority_s,
             [&] { prioritise(active, view, channel.priority_scratch, channel.order); });
         run(&StageTimes::geometry_s, [&] {
-            project(active, channel.order, view, raster, packet.visibility_m > 0.0F, channel.geometry_scratch,
-                    channel.projected);
+            cut_order(active, channel.order, parts_of(channel.order), channel.cut);
+            if (channel.parts.size() < channel.cut.size()) channel.parts.resize(channel.cut.size());
+            for_parts(channel, [&](std::size_t p, GeometryPart& part) {
+                project(active, channel.order, channel.cut[p], view, raster, packet.visibility_m > 0.0F,
+                        part.scratch, p == 0 ? channel.projected : part.projected);
+            });
             channel.air.prepare(channel.projected.scale, raster, static_cast<double>(packet.visibility_m),
                                 background_of(packet));
         });
-        run(&StageTimes::edges_s,
-            [&] { make_edges(channel.projected, raster, configuration.edge_smoothing, channel.edges); });
+        run(&StageTimes::edges_s, [&] {
+            for_parts(channel, [&](std::size_t p, GeometryPart& part) {
+                make_edges(p == 0 ? channel.projected : part.projected, raster, configuration.edge_smoothing,
+                           p == 0 ? channel.edges : part.edges);
+            });
+            for (std::size_t p = 1; p < channel.cut.size(); ++p) {
+                append(channel.parts[p].projected, channel.projected);
+                append(channel.parts[p].edges, channel.edges);
+            }
+        });
         run(&StageTimes::lights_s,
             [&] { make_splats(channel.projected.lights, raster, band_lines, channel.splats); });
         run(&StageTimes::bands_s, [&] { sort_into_bands(channel.edges, raster.lines(), channel.bands); });
@@ -179,6 +203,25 @@ struct Machine::State {
         tell(channel, counts);
         counts.most_crossings_on_a_line = most_crossings(channel.edges, raster.lines(), channel.on_line);
         if (configuration.capacity.limited()) add_load(channel, counts);
+    }
+
+    std::size_t parts_of(const PriorityOrder& order) const {
+        if (workers.size() == 1) return 1;
+        std::uint64_t faces = 0;
+        for (const RankedRun& ranked : order.runs)
+            faces += active.blocks[ranked.block].runs[ranked.run].face_count;
+        return faces < faces_worth_sharing ? 1 : workers.size();
+    }
+
+    /// work(number, part) for each part of a channel's faces, shared among the threads.
+    template <typename Work>
+    void for_parts(Channel& channel, const Work& work) {
+        if (channel.cut.size() == 1) {
+            work(0, channel.parts[0]);
+            return;
+        }
+        fork_join(arena, static_cast<std::uint32_t>(channel.cut.size()),
+                  [&](std::uint32_t p, std::uint32_t /*thread*/) { work(p, channel.parts[p]); });
     }
 
     void clear_load() {

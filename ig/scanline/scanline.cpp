@@ -14,20 +14,22 @@ class BandResolver {
 public:
     BandResolver(const FaceEdges& edges, std::uint32_t elements, bool smoothing, BandScratch& scratch,
                  BandSegments& segments)
-        : edges_(edges), scratch_(scratch), out_(segments), elements_(static_cast<std::int32_t>(elements)),
-          words_((elements + word_bits - 1) / word_bits), smoothing_(smoothing),
-          first_line_(static_cast<std::int32_t>(segments.first_line)),
+        : edges_(edges), scratch_(scratch), band_(scratch.band), out_(segments),
+          elements_(static_cast<std::int32_t>(elements)), words_((elements + word_bits - 1) / word_bits),
+          smoothing_(smoothing), first_line_(static_cast<std::int32_t>(segments.first_line)),
           end_line_(static_cast<std::int32_t>(segments.end_line)) {}
 
     void run(std::span<const std::uint32_t> ranks, std::span<const BandLight> lights,
              std::span<const SplatPixel> splats) {
         open_all();
         for (std::size_t k = 0; k < ranks.size(); ++k) {
+            k += take_small(ranks.subspan(k), lights);
+            if (k == ranks.size()) break;
             const std::uint32_t rank = ranks[k];
             fetch_ahead(ranks.subspan(k));
             for (; !lights.empty() && lights.front().rank <= rank; lights = lights.subspan(1))
                 put_light(lights.front(), splats);
-            if (open_lines_ == 0) break; // whatever comes now is behind
+            if (band_.open_lines == 0) break; // whatever comes now is behind
             face_ = &edges_.faces[rank];
             rank_ = rank;
             if (smoothing_) {
@@ -57,27 +59,40 @@ private:
         }
     }
 
+    /// Takes the small faces that come first, up to the next light; how many they are.
+    std::size_t take_small(std::span<const std::uint32_t> ranks, std::span<const BandLight> lights) {
+        if (smoothing_ || sharing_) return 0;
+        if (!lights.empty()) {
+            const auto next = std::ranges::lower_bound(ranks, lights.front().rank);
+            ranks = ranks.first(static_cast<std::size_t>(next - ranks.begin()));
+        }
+        return take_small_faces(edges_, ranks, band_, out_.segments);
+    }
+
     void open_all() {
         const auto lines = static_cast<std::size_t>(end_line_ - first_line_);
-        scratch_.open.assign(lines * words_, ~std::uint64_t{0});
+        band_.first_line = first_line_;
+        band_.end_line = end_line_;
+        band_.elements = elements_;
+        band_.stride = words_ + 1;
+        band_.open.assign(band_lines * band_.stride, ~std::uint64_t{0});
         out_.words = words_;
         out_.shared.assign(lines * words_, 0);
         const std::size_t pixels = std::size_t{band_lines} * static_cast<std::size_t>(elements_);
         if (scratch_.left.size() < pixels) scratch_.left.resize(pixels, whole_pixel);
         const std::uint32_t beyond = words_ * word_bits - static_cast<std::uint32_t>(elements_);
         for (std::size_t line = 0; line < lines && beyond > 0; ++line) {
-            scratch_.open[(line + 1) * words_ - 1] >>= beyond;
+            open_of(line)[words_ - 1] >>= beyond;
         }
-        scratch_.open_count.fill(static_cast<std::uint32_t>(elements_));
-        open_lines_ = static_cast<std::uint32_t>(lines);
+        band_.count.fill(static_cast<std::uint64_t>(elements_));
+        band_.open_lines = static_cast<std::uint32_t>(lines);
     }
 
     /// A light shines through what is left of a pixel when its turn comes; it takes nothing itself.
     void put_light(const BandLight& light, std::span<const SplatPixel> splats) {
         for (const SplatPixel& splat : splats.subspan(light.first_pixel, light.pixel_count)) {
             const auto line = static_cast<std::size_t>(splat.line - first_line_);
-            const std::size_t words = line * words_;
-            if (!is_set(scratch_.open.data() + words, splat.element)) continue;
+            if (!is_set(open_of(line), splat.element)) continue;
             const std::uint64_t weight =
                 std::uint64_t{splat.weight} * left_of(line)[splat.element] / whole_pixel;
             if (weight != 0)
@@ -130,7 +145,7 @@ private:
                                                    face_->outlines);
         for (std::int32_t line = from; line < to; ++line) {
             const auto l = static_cast<std::size_t>(line - first_line_);
-            if (scratch_.open_count[l] == 0) continue;
+            if (band_.count[l] == 0) continue;
             cover_line(outline, line, elements_, scratch_.coverage);
             put_covered(l);
         }
@@ -158,8 +173,8 @@ private:
 
     /// All that is left of [begin, end): segments where nobody else has a share, the rest of the pixels where others do.
     void take(std::size_t line, std::uint32_t begin, std::uint32_t end) {
-        if (scratch_.open_count[line] == 0) return;
-        std::uint64_t* open = scratch_.open.data() + line * words_;
+        if (band_.count[line] == 0) return;
+        std::uint64_t* open = open_of(line);
         const std::uint64_t* shared = out_.shared.data() + line * words_;
         if (const std::uint32_t word = begin / word_bits; word == (end - 1) / word_bits) {
             const std::uint64_t mine = open[word] & bits_between(word, begin, end);
@@ -213,8 +228,8 @@ private:
 
     /// These many elements of the line are not open any more.
     void lose(std::size_t line, std::uint32_t elements) {
-        scratch_.open_count[line] -= elements;
-        if (elements != 0 && scratch_.open_count[line] == 0) --open_lines_;
+        band_.count[line] -= elements;
+        if (elements != 0 && band_.count[line] == 0) --band_.open_lines;
     }
 
     std::uint32_t put_segment(std::size_t line, std::uint32_t begin, std::uint32_t end) {
@@ -243,7 +258,7 @@ private:
     /// Shares of the open elements of [begin, end), of which the face covers these areas. New coverage is at most what
     /// is left: neighbours of a mesh fill a pixel exactly.
     void share(std::size_t line, std::uint32_t begin, std::uint32_t end, const std::int32_t* areas) {
-        const std::uint64_t* open = scratch_.open.data() + line * words_;
+        const std::uint64_t* open = open_of(line);
         for (std::uint32_t at = next_set(open, begin, end); at < end;) {
             const std::uint32_t stop = next_clear(open, at, end);
             share_open(line, at, stop, areas + (at - begin));
@@ -266,6 +281,7 @@ private:
         for (; begin < end && areas[end - begin - 1] == 0;)
             --end;
         if (begin == end) return;
+        sharing_ = true;
         set_bits(out_.shared.data() + line * words_, begin, end);
         begin_run(line, begin, end - begin);
         const std::size_t first = out_.weights.size();
@@ -325,7 +341,7 @@ private:
     }
 
     void close(std::size_t line, std::uint32_t element) {
-        scratch_.open[line * words_ + element / word_bits] ^= std::uint64_t{1} << (element % word_bits);
+        open_of(line)[element / word_bits] ^= std::uint64_t{1} << (element % word_bits);
         lose(line, 1);
     }
 
@@ -333,6 +349,8 @@ private:
         out_.shares.push_back({rank_, static_cast<std::uint32_t>(out_.weights.size()), line_number(line),
                                static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(count)});
     }
+
+    std::uint64_t* open_of(std::size_t line) { return band_.open.data() + line * band_.stride; }
 
     std::uint32_t* left_of(std::size_t line) {
         return scratch_.left.data() + line * static_cast<std::size_t>(elements_);
@@ -345,14 +363,14 @@ private:
     void leave_background() {
         const auto end = static_cast<std::uint32_t>(elements_);
         rank_ = background_rank;
-        for (std::int32_t number = 0; number < end_line_ - first_line_ && open_lines_ != 0; ++number) {
+        for (std::int32_t number = 0; number < end_line_ - first_line_ && band_.open_lines != 0; ++number) {
             const auto line = static_cast<std::size_t>(number);
-            const std::uint64_t* open = scratch_.open.data() + line * words_;
+            const std::uint64_t* open = open_of(line);
             const std::uint64_t* shared = out_.shared.data() + line * words_;
             for (std::uint32_t word = 0; word < words_; ++word) {
                 if (const std::uint64_t rests = open[word] & shared[word]; rests != 0)
                     take_rests(line, word * word_bits, rests);
-                scratch_.open[line * words_ + word] &= ~shared[word];
+                open_of(line)[word] &= ~shared[word];
             }
             for (std::uint32_t at = next_set(open, 0, end); at < end;) {
                 const std::uint32_t stop = next_clear(open, at, end);
@@ -386,14 +404,15 @@ private:
 
     const FaceEdges& edges_;
     BandScratch& scratch_;
+    OpenBand& band_;
     BandSegments& out_;
     std::int32_t elements_;
     std::uint32_t words_;
     bool smoothing_;
     std::int32_t first_line_;
     std::int32_t end_line_;
-    std::uint32_t open_lines_ = 0;
-    bool fading_ = false; ///< some pixel of scratch_.fading is in use
+    bool sharing_ = false; ///< some pixel has a share already
+    bool fading_ = false;  ///< some pixel of scratch_.fading is in use
     const EdgeFace* face_ = nullptr;
     std::uint32_t rank_ = 0;
 };

@@ -8,6 +8,7 @@
 #include "ig/lights/splat.h"
 #include "ig/scanline/coverage.h"
 #include "ig/scanline/segment.h"
+#include "ig/scanline/small_faces.h"
 
 #include <array>
 #include <span>
@@ -23,11 +24,10 @@ struct FadingPixel {
 
 /// Working storage of one thread.
 struct BandScratch {
-    std::vector<std::uint64_t> open; ///< a bit per element, whole words per line: 1 = something is left
+    OpenBand band;
     std::vector<std::uint32_t> left; ///< per element what no face has taken; whole_pixel between bands
     std::vector<FadingPixel> fading; ///< per element; reset between bands
-    std::array<std::uint32_t, band_lines> open_count{}; ///< elements still open on each line
-    std::array<std::int32_t, band_lines> begin{};       ///< of the face at hand
+    std::array<std::int32_t, band_lines> begin{}; ///< of the face at hand
     std::array<std::int32_t, band_lines> end{};
     LineCoverage coverage;
 };

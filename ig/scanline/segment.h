@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace linkdig::ig {
@@ -23,6 +25,22 @@ inline constexpr std::uint32_t whole_pixel = 1U << 17U;
 
 /// The rank that stands for the background in a share.
 inline constexpr std::uint32_t background_rank = ~0U;
+
+/// Leaves new elements as they are: whoever makes room writes them.
+template <typename Value>
+struct Unwritten : std::allocator<Value> {
+    template <typename Other>
+    struct rebind {
+        using other = Unwritten<Other>;
+    };
+    void construct(Value* /*place*/) noexcept {}
+    template <typename... Arguments>
+    void construct(Value* place, Arguments&&... arguments) {
+        std::construct_at(place, std::forward<Arguments>(arguments)...);
+    }
+};
+
+using SegmentList = std::vector<Segment, Unwritten<Segment>>;
 
 /// One face's shares of consecutive pixels that it does not have alone: pixels that an edge crosses, that a semi-opaque
 /// face lies before, or that an additive face brightens. Shares of a pixel come front to back; those of ordinary faces
@@ -52,8 +70,8 @@ struct LightPixel {
 struct BandSegments {
     std::uint32_t first_line = 0;
     std::uint32_t end_line = 0;
-    std::vector<Segment> segments;
-    std::vector<Segment> background;   ///< what no face covers; `face` is meaningless
+    SegmentList segments;
+    SegmentList background;            ///< what no face covers; `face` is meaningless
     std::uint32_t words = 0;           ///< of 64 elements, per line
     std::vector<std::uint64_t> shared; ///< a bit per element: 1 = a shared pixel
     std::vector<ShareRun> shares;

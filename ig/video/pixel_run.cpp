@@ -1,5 +1,7 @@
 #include "ig/video/pixel_run.h"
 
+#include "ig/simd/simd_level.h"
+
 #include <algorithm>
 
 #ifndef LINKDIG_INVERSE_RANGE // this file is compiled once per SIMD level
@@ -268,13 +270,11 @@ HWY_EXPORT(ShadeRuns);
 HWY_EXPORT(ShadeRunsInHaze);
 HWY_EXPORT(ShadeRunsInAir);
 
-bool plain = false; ///< no SIMD at all; set before threads start, read by them
-
 } // namespace
 
 void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segment> runs,
                 const BandPixels& pixels) {
-    if (plain) {
+    if (simd_is_off()) {
         shade_plainly(plane, colour, runs, pixels);
     } else {
         HWY_DYNAMIC_DISPATCH(ShadeRuns)(plane, colour, runs.data(), runs.size(), pixels);
@@ -283,7 +283,7 @@ void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segm
 
 void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
                         std::span<const Segment> runs, const BandPixels& pixels) {
-    if (plain) {
+    if (simd_is_off()) {
         shade_plainly_in_haze(plane, colour, transmission, horizon, runs, pixels);
     } else {
         HWY_DYNAMIC_DISPATCH(ShadeRunsInHaze)
@@ -293,7 +293,7 @@ void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t
 
 void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
                        std::span<const Segment> runs, const BandPixels& pixels) {
-    if (plain) {
+    if (simd_is_off()) {
         shade_plainly_in_air(plane, colour, depth, air, runs, pixels);
     } else {
         HWY_DYNAMIC_DISPATCH(ShadeRunsInAir)(plane, colour, depth, air, runs.data(), runs.size(), pixels);
@@ -303,43 +303,6 @@ void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPl
 std::int32_t transmission_of(const DepthPlane& depth, const Air& air, std::int32_t line,
                              std::int32_t element) {
     return transmission_in(inverse_range(depth, air, line, element), air, 0);
-}
-
-std::vector<std::string> simd_levels() {
-    std::vector<std::string> levels;
-    hwy::SetSupportedTargetsForTest(0);
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
-        levels.emplace_back(hwy::TargetName(target));
-    levels.emplace_back("scalar");
-    return levels;
-}
-
-std::vector<std::string> missing_simd_levels() {
-    std::vector<std::string> levels;
-    hwy::SetSupportedTargetsForTest(0);
-    const std::int64_t missing = HWY_TARGETS & ~static_cast<std::int64_t>(hwy::SupportedTargets());
-    for (std::int64_t target = 1; target > 0 && target <= missing; target <<= 1U)
-        if ((missing & target) != 0) levels.emplace_back(hwy::TargetName(target));
-    return levels;
-}
-
-bool simd_is_off() { return plain; }
-
-bool use_simd_level(const std::string& level) {
-    if (level == "scalar") {
-        plain = true;
-        return true;
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    const bool best = level.empty() || level == "best";
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        if (!best && level != hwy::TargetName(target)) continue;
-        if (!best) hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(best ? hwy::SupportedTargets() : target);
-        plain = false;
-        return true;
-    }
-    return false;
 }
 
 } // namespace linkdig::ig

@@ -86,17 +86,4 @@ void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPl
 std::int32_t transmission_of(const DepthPlane& depth, const Air& air, std::int32_t line,
                              std::int32_t element);
 
-/// SIMD levels of this build that the machine has, best first; the last is always "scalar".
-std::vector<std::string> simd_levels();
-
-/// SIMD levels of this build that the machine lacks.
-std::vector<std::string> missing_simd_levels();
-
-/// Uses this level from now on ("" or "best": the best there is). False if the machine lacks it; then nothing
-/// changes.
-bool use_simd_level(const std::string& level);
-
-/// "scalar" is in use.
-bool simd_is_off();
-
 } // namespace linkdig::ig

@@ -1,5 +1,7 @@
 #include "ig/video/share_run.h"
 
+#include "ig/simd/simd_level.h"
+
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE

@@ -1,6 +1,7 @@
 #include "tests/determinism/picture_table.h"
 
 #include "ig/machine/machine.h"
+#include "ig/simd/simd_level.h"
 #include "ig/video/pixel_run.h"
 #include "tests/determinism/hashes.h"
 

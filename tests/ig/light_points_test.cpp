@@ -7,6 +7,7 @@
 #include "ig/geometry/project_lights.h"
 #include "ig/lights/splat.h"
 #include "ig/machine/machine.h"
+#include "ig/simd/simd_level.h"
 #include "ig/video/pixel_run.h"
 
 #include <gtest/gtest.h>

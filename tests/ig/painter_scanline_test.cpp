@@ -1,5 +1,6 @@
 /// The machine's picture against two second opinions, on scenes made to be hard.
 
+#include "ig/simd/simd_level.h"
 #include "ig/video/pixel_run.h"
 #include "tests/ig/random_scene.h"
 #include "tests/ig/random_scene_stages.h"
@@ -152,7 +153,7 @@ TEST(PainterAgainstScanline, every_element_is_written_once) {
         const Scene scene = random_scene(seed, {150, 100, Scan::horizontal}, 150);
         std::vector<int> writes(150 * 100, 0);
         for (const BandSegments& band : draw(scene).bands)
-            for (const std::vector<Segment>* list : {&band.segments, &band.background})
+            for (const SegmentList* list : {&band.segments, &band.background})
                 for (const Segment& s : *list)
                     for (std::uint32_t e = s.first; e < std::uint32_t{s.first} + s.count; ++e)
                         ++writes.at(s.line * 150U + e);

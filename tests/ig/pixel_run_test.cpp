@@ -1,5 +1,6 @@
 // The inner loop gives the same bytes at every SIMD level, and what the definition says.
 
+#include "ig/simd/simd_level.h"
 #include "ig/video/pixel_run.h"
 
 #include "database/model/random.h"

@@ -5,6 +5,7 @@
 #include "database/model/mathematics.h"
 #include "ig/geometry/projected_face.h"
 #include "ig/machine/machine.h"
+#include "ig/simd/simd_level.h"
 #include "ig/video/pixel_run.h"
 
 #include <gtest/gtest.h>
