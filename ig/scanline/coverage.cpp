@@ -18,31 +18,18 @@ std::int32_t at_border(const OutlineEdge& edge, std::int32_t line) {
     return static_cast<std::int32_t>(static_cast<std::int64_t>(position) >> outline_bits);
 }
 
-/// The part of an edge inside one line, from `left` to `right`, 1/256 pixel along the line; `rise` is how far it gets
-/// across the line (1/256, signed) and `height` the same without sign.
-struct Piece {
-    std::int32_t left = 0;
-    std::int32_t right = 0;
-    std::int32_t rise = 0;
-    std::int32_t height = 0;
-    std::int32_t sign = 1;
-
-    std::int32_t first() const { return left >> 8; }
-    std::int32_t last() const { return right >> 8; }
-
-    /// How far across the line it has got at the left border of an element between its ends: rise * run / length, rounded
-    /// to the nearest 1/256, upwards on the line. Numerator and denominator are whole numbers below 2^35, so the double's
-    /// quotient is never rounded across a whole number, and is exact.
-    std::int32_t passed_at(std::int32_t element) const {
-        const double length = right - left;
-        const double twice = 2.0 * (element * 256.0 - left) * rise + length;
-        return twice >= 0.0 ? static_cast<std::int32_t>(twice / (2.0 * length))
-                            : static_cast<std::int32_t>((2.0 * length - 1.0 - twice) / (2.0 * length));
-    }
-};
+/// How far across the line a piece has got at the left border of an element between its ends: rise * run / length, rounded
+/// to the nearest 1/256, upwards on the line. Numerator and denominator are whole numbers below 2^35, so the double's
+/// quotient is never rounded across a whole number, and is exact.
+std::int32_t passed_at(const EdgePiece& piece, std::int32_t element) {
+    const double length = piece.right - piece.left;
+    const double twice = 2.0 * (element * 256.0 - piece.left) * piece.rise + length;
+    return twice >= 0.0 ? static_cast<std::int32_t>(twice / (2.0 * length))
+                        : static_cast<std::int32_t>((2.0 * length - 1.0 - twice) / (2.0 * length));
+}
 
 /// False if the edge does not touch the line, or only along its border.
-bool piece_of(const OutlineEdge& edge, std::int32_t line, Piece& piece) {
+bool piece_of(const OutlineEdge& edge, std::int32_t line, EdgePiece& piece) {
     const std::int32_t top = line * 256;
     const std::int32_t bottom = top + 256;
     if (edge.lower_line <= top || edge.upper_line >= bottom) return false;
@@ -51,13 +38,13 @@ bool piece_of(const OutlineEdge& edge, std::int32_t line, Piece& piece) {
     const std::int32_t upper_x = begins ? edge.upper_element : at_border(edge, line);
     const std::int32_t lower_x = ends ? edge.lower_element : at_border(edge, line + 1);
     const std::int32_t height = (ends ? edge.lower_line - top : 256) - (begins ? edge.upper_line - top : 0);
-    piece = upper_x <= lower_x ? Piece{upper_x, lower_x, height, height, edge.sign}
-                               : Piece{lower_x, upper_x, -height, height, edge.sign};
+    piece = upper_x <= lower_x ? EdgePiece{upper_x, lower_x, height, height, edge.sign}
+                               : EdgePiece{lower_x, upper_x, -height, height, edge.sign};
     return height != 0;
 }
 
 /// Adds what a piece contributes to the elements of `part`, none of which lies left of it unless it begins at 0.
-void add_piece(const Piece& piece, const PartlyCovered& part, std::int32_t* areas) {
+void add_piece(const EdgePiece& piece, const PartlyCovered& part, std::int32_t* areas) {
     const std::int32_t last = piece.last();
     std::int32_t element = piece.first();
     if (element >= part.end) return;
@@ -65,7 +52,7 @@ void add_piece(const Piece& piece, const PartlyCovered& part, std::int32_t* area
     std::int32_t passed = 0;
     std::int32_t x = piece.left & 255;
     if (element < part.begin) {
-        passed = last < part.begin ? piece.height : piece.passed_at(part.begin);
+        passed = last < part.begin ? piece.height : passed_at(piece, part.begin);
         element = part.begin;
         x = 0;
     } else {
@@ -73,7 +60,7 @@ void add_piece(const Piece& piece, const PartlyCovered& part, std::int32_t* area
     }
     const std::int32_t crossed_end = std::min(last, part.end);
     for (; element < crossed_end; ++element, ++area) {
-        const std::int32_t next = piece.passed_at(element + 1);
+        const std::int32_t next = passed_at(piece, element + 1);
         *area += piece.sign * (512 * passed + (next - passed) * (256 - x));
         passed = next;
         x = 0;
@@ -86,19 +73,6 @@ void add_piece(const Piece& piece, const PartlyCovered& part, std::int32_t* area
     for (; element < part.end; ++element, ++area)
         *area += behind;
 }
-
-/// The elements that the edges of one side cross, and the height of the line that they span together.
-struct Side {
-    std::int32_t begin = INT32_MAX;
-    std::int32_t end = INT32_MIN;
-    std::int32_t height = 0;
-
-    void add(const Piece& piece) {
-        begin = std::min(begin, piece.first());
-        end = std::max(end, piece.last() + 1);
-        height += piece.height;
-    }
-};
 
 PartlyCovered open_part(std::int32_t begin, std::int32_t end, std::int32_t area, std::int32_t elements,
                         std::vector<std::int32_t>& areas) {
@@ -128,21 +102,30 @@ void widen_whole(LineCoverage& coverage) {
 
 } // namespace
 
-void cover_line(std::span<const OutlineEdge> outline, std::int32_t line, std::int32_t elements,
-                LineCoverage& coverage) {
-    coverage.areas.clear();
+void trace_line(std::span<const OutlineEdge> outline, std::int32_t line, std::int32_t elements,
+                OutlineLine& traced) {
+    traced.pieces.clear();
+    traced.leading = traced.trailing = {};
+    EdgePiece piece;
+    for (const OutlineEdge& edge : outline) {
+        if (!piece_of(edge, line, piece)) continue;
+        (edge.sign > 0 ? traced.leading : traced.trailing).add(piece);
+        traced.pieces.push_back(piece);
+    }
+    traced.begin = std::clamp(std::min(traced.leading.begin, traced.trailing.begin), 0, elements);
+    traced.end = std::clamp(std::max(traced.leading.end, traced.trailing.end), 0, elements);
+}
+
+void cover_line(const OutlineLine& traced, std::int32_t elements, LineCoverage& coverage) {
+    const EdgeSide& leading = traced.leading;
+    const EdgeSide& trailing = traced.trailing;
+    std::vector<std::int32_t>& areas = coverage.areas;
+    areas.clear();
     coverage.parts = {};
     coverage.whole_begin = coverage.whole_end = 0;
-    Side leading, trailing;
-    Piece piece;
-    for (const OutlineEdge& edge : outline) {
-        if (piece_of(edge, line, piece)) (edge.sign > 0 ? leading : trailing).add(piece);
-    }
     if (leading.height == 0) return;
-    const bool apart = leading.end <= trailing.begin;
-    const std::int32_t between = 512 * leading.height;
-    std::vector<std::int32_t>& areas = coverage.areas;
-    if (apart && between == whole) {
+    const bool apart = leading.end <= trailing.begin && 512 * leading.height == whole;
+    if (apart) {
         coverage.parts[0] = open_part(leading.begin, leading.end, 0, elements, areas);
         coverage.parts[1] = open_part(trailing.begin, trailing.end, whole, elements, areas);
         coverage.whole_begin = std::clamp(leading.end, 0, elements);
@@ -151,14 +134,12 @@ void cover_line(std::span<const OutlineEdge> outline, std::int32_t line, std::in
         coverage.parts[0] = open_part(std::min(leading.begin, trailing.begin),
                                       std::max(leading.end, trailing.end), 0, elements, areas);
     }
-    for (const OutlineEdge& edge : outline) {
-        if (!piece_of(edge, line, piece)) continue;
-        const bool second = apart && between == whole && edge.sign < 0;
-        const PartlyCovered& part = coverage.parts[second ? 1 : 0];
+    for (const EdgePiece& piece : traced.pieces) {
+        const PartlyCovered& part = coverage.parts[apart && piece.sign < 0 ? 1 : 0];
         if (part.begin < part.end) add_piece(piece, part, areas.data());
     }
     clamp_areas(areas);
-    if (apart && between == whole) widen_whole(coverage);
+    if (apart) widen_whole(coverage);
 }
 
 } // namespace linkdig::ig

@@ -146,9 +146,17 @@ private:
         for (std::int32_t line = from; line < to; ++line) {
             const auto l = static_cast<std::size_t>(line - first_line_);
             if (band_.count[l] == 0) continue;
-            cover_line(outline, line, elements_, scratch_.coverage);
+            trace_line(outline, line, elements_, scratch_.traced);
+            if (!any_open(l, scratch_.traced.begin, scratch_.traced.end)) continue;
+            cover_line(scratch_.traced, elements_, scratch_.coverage);
             put_covered(l);
         }
+    }
+
+    bool any_open(std::size_t line, std::int32_t begin, std::int32_t end) {
+        if (begin >= end) return false;
+        const auto stop = static_cast<std::uint32_t>(end);
+        return next_set(open_of(line), static_cast<std::uint32_t>(begin), stop) < stop;
     }
 
     void put_covered(std::size_t line) {

@@ -29,6 +29,7 @@ struct BandScratch {
     std::vector<FadingPixel> fading; ///< per element; reset between bands
     std::array<std::int32_t, band_lines> begin{}; ///< of the face at hand
     std::array<std::int32_t, band_lines> end{};
+    OutlineLine traced;
     LineCoverage coverage;
 };
 

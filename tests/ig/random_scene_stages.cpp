@@ -27,8 +27,8 @@ Projected project_packet(const VisualDatabase& database, const FramePacket& pack
     GeometryScratch geometry_scratch;
     made.scene.raster = raster;
     made.scene.colours = database.colours;
-    project(made.active, made.order, whole_of(made.order), packet.channels[0], raster, false, geometry_scratch,
-            made.scene.projected);
+    project(made.active, made.order, whole_of(made.order), packet.channels[0], raster, false,
+            geometry_scratch, made.scene.projected);
     return made;
 }
 

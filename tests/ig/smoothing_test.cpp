@@ -109,9 +109,11 @@ TEST(Smoothing, CoverageIsTheAreaOfTheOutline) {
         projected.faces = {add_polygon(seed, seed % 3 == 0 ? 60 : 6, projected)};
         FaceEdges edges;
         make_edges(projected, {side, side, Scan::horizontal}, true, edges);
+        OutlineLine traced;
         LineCoverage coverage;
         for (std::int32_t line = edges.faces[0].first_line; line < edges.faces[0].end_line; ++line) {
-            cover_line(edges.outlines, line, side, coverage);
+            trace_line(edges.outlines, line, side, traced);
+            cover_line(traced, side, coverage);
             std::vector<double> covered(side, 0.0);
             for (const PartlyCovered& part : coverage.parts) {
                 for (std::int32_t e = part.begin; e < part.end; ++e)
