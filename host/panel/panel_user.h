@@ -27,6 +27,7 @@ public:
     virtual ~PanelUser() = default;
     /// Plugged in and opened, for the first time or again: nothing is lit on it.
     virtual void attached(const PanelPlace& place) = 0;
+    /// Unplugged, or it no longer answers; not for panels that the link lets go at its own end.
     virtual void detached(const PanelPlace& place) = 0;
     /// Bytes as they came, of any length.
     virtual void report(const PanelPlace& place, std::span<const std::uint8_t> bytes, ReportSource source,

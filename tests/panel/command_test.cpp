@@ -176,6 +176,7 @@ TEST_F(PanelCommand, AFlightWithAPanelIsReplayedWithoutIt) {
         flight.interrupt();
         EXPECT_EQ(flight.exit_code(), 0) << flight.errors();
         EXPECT_THAT(flight.output(), HasSubstr(recording)) << flight.errors();
+        EXPECT_THAT(flight.errors(), testing::EndsWith("connected again\n")) << "its end is no unplugging";
     }
     RecordingReader reader(recording);
     FramePacket packet;

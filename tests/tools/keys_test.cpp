@@ -32,6 +32,20 @@ TEST(Keys, KeysDoWhatTheirLabelsSay) {
     EXPECT_EQ(action_of(27), Action::quit);
 }
 
+TEST(Keys, AJoysticksButtonsAndHatDoTheSameAsKeys) {
+    EXPECT_EQ(action_of_button(0), Action::hands_on);
+    EXPECT_EQ(action_of_button(1), Action::pause);
+    EXPECT_EQ(action_of_button(2), Action::reset);
+    EXPECT_EQ(action_of_button(3), Action::record);
+    EXPECT_EQ(action_of_button(4), std::nullopt);
+    EXPECT_EQ(action_of_hat(0x01), Action::view_ahead); // SDL_HAT_UP, and clockwise
+    EXPECT_EQ(action_of_hat(0x02), Action::view_right);
+    EXPECT_EQ(action_of_hat(0x04), Action::view_down);
+    EXPECT_EQ(action_of_hat(0x08), Action::view_left);
+    EXPECT_EQ(action_of_hat(0x00), std::nullopt) << "let go";
+    EXPECT_EQ(action_of_hat(0x03), std::nullopt) << "between two";
+}
+
 TEST(Keys, OtherKeysDoNothing) {
     EXPECT_EQ(action_of('z'), std::nullopt);
     EXPECT_EQ(action_of(0), std::nullopt);

@@ -172,6 +172,7 @@ void PanelLink::State::finish() {
             dark = each->darken() && dark;
         handle_events();
     }
+    around.closing = true;
     for (const auto& each : panels)
         each->leave();
     const double closed_by_s = around.now_s + patience_s;

@@ -122,7 +122,7 @@ void UsbPanel::close() {
         each.transfer.reset();
     control_.transfer.reset();
     try_again_s_ = around_.now_s + try_again_after_s;
-    around_.user.detached(place_);
+    if (!around_.closing) around_.user.detached(place_);
 }
 
 void UsbPanel::cancel() {

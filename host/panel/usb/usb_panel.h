@@ -44,7 +44,8 @@ struct Surroundings {
     PanelUser& user;
     Tell& tell;
     Counters& counters;
-    double now_s = 0.0; ///< of the last event or turn
+    double now_s = 0.0;   ///< of the last event or turn
+    bool closing = false; ///< the link is at its end: what is closed now has not gone
 };
 
 class UsbPanel {
