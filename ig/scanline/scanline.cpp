@@ -75,7 +75,7 @@ private:
         band_.end_line = end_line_;
         band_.elements = elements_;
         band_.stride = words_ + 1;
-        band_.open.assign(band_lines * band_.stride, ~std::uint64_t{0});
+        band_.open.assign((band_lines + lines_behind) * band_.stride, ~std::uint64_t{0});
         out_.words = words_;
         out_.shared.assign(lines * words_, 0);
         const std::size_t pixels = std::size_t{band_lines} * static_cast<std::size_t>(elements_);

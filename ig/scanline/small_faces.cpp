@@ -13,7 +13,7 @@ namespace {
 
 /// Crossings of one face with the band's lines, in elements; room for a vector behind the last line.
 struct Crossings {
-    static constexpr std::size_t room = band_lines + 8;
+    static constexpr std::size_t room = band_lines + lines_behind;
     alignas(64) std::array<std::int64_t, room> begin;
     alignas(64) std::array<std::int64_t, room> end;
 };

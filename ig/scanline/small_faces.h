@@ -15,16 +15,20 @@
 
 namespace linkdig::ig {
 
+/// Lines behind a band's last that a vector which begins on that one reaches over.
+inline constexpr std::size_t lines_behind = 8;
+
 /// What is still open of a band of lines.
 struct OpenBand {
     std::int32_t first_line = 0;
     std::int32_t end_line = 0;
     std::int32_t elements = 0;
     std::size_t stride = 0; ///< words of 64 elements from line to line, one of them spare
-    /// A bit per element, band_lines lines whatever the band has: 1 = something is left.
+    /// A bit per element, band_lines + lines_behind lines whatever the band has: 1 = something is left.
     std::vector<std::uint64_t> open;
-    alignas(64) std::array<std::uint64_t, band_lines> count{}; ///< elements still open on each line
-    std::uint32_t open_lines = 0;                              ///< lines with an open element
+    alignas(64)
+        std::array<std::uint64_t, band_lines + lines_behind> count{}; ///< elements still open on each line
+    std::uint32_t open_lines = 0;                                     ///< lines with an open element
 };
 
 /// Takes for each face of these ranks, front to back, what is open between its crossings, until a face comes that is not
