@@ -42,7 +42,7 @@ struct Configuration {
     /// Pixels that an edge crosses show each face by its share of their area.
     bool edge_smoothing = false;
     Capacity capacity{};
-    /// Threads that draw bands; 0: as many as the machine has. The picture does not depend on it.
+    /// Threads that project parts of the faces and draw bands; 0: as many as the machine has. The picture does not depend on it.
     std::uint32_t threads = 0;
 };
 

@@ -102,20 +102,19 @@ std::string line_text(const database::CompileResult& result) {
            mesh_text(result) + budget_text(result);
 }
 
-/// Would the output take the place of a file that the database is made of?
-bool is_source(const database::CompileResult& result, const std::string& output) {
-    return std::ranges::any_of(result.files, [&](const std::string& file) {
+/// Would the output take the place of a file that the database is made of? Then says so.
+bool takes_a_source(const Arguments& arguments, const database::CompileResult& result) {
+    const bool takes = std::ranges::any_of(result.files, [&](const std::string& file) {
         std::error_code none; // a file that is not there is not the same
-        return std::filesystem::equivalent(file, output, none);
+        return std::filesystem::equivalent(file, arguments.output, none);
     });
+    if (takes)
+        fmt::print(stderr, "error: {} is a file that the database is made of; expected another output\n",
+                   arguments.output);
+    return takes;
 }
 
 int compile_once(const Arguments& arguments, const database::CompileResult& result) {
-    if (is_source(result, arguments.output)) {
-        fmt::print(stderr, "error: {} is a file that the database is made of; expected another output\n",
-                   arguments.output);
-        return bad_input;
-    }
     if (!result.database) {
         fmt::print(stderr, "{}", result.diagnostics.text());
         return bad_input;
@@ -141,7 +140,7 @@ int compile_and_watch(const Arguments& arguments) {
     FileWatch watch;
     for (;;) {
         const database::CompileResult result = database::compile_file(arguments.source);
-        if (is_source(result, arguments.output)) return compile_once(arguments, result);
+        if (takes_a_source(arguments, result)) return bad_input;
         compile_once(arguments, result);
         std::fflush(stdout);
         watch.set(result.files);
@@ -176,7 +175,8 @@ int compile(const Arguments& arguments) {
     if (arguments.source.empty() || arguments.output.empty())
         throw std::invalid_argument("SRC and --output are required");
     if (arguments.watch) return compile_and_watch(arguments);
-    return compile_once(arguments, database::compile_file(arguments.source));
+    const database::CompileResult result = database::compile_file(arguments.source);
+    return takes_a_source(arguments, result) ? bad_input : compile_once(arguments, result);
 }
 
 } // namespace

@@ -121,14 +121,21 @@ std::optional<Shown> MappingReader::shows(TableReader& table) {
     return std::nullopt;
 }
 
+template <typename All>
+MappingReader::Place MappingReader::shown_on(TableReader& table, const std::string& key, const All& all,
+                                             FindPlace find) const {
+    const std::string name = table.text(key);
+    const auto found = find(layout(), name);
+    if (!found && all.empty())
+        table.error_at(key, fmt::format("the {} panel has no {}s", layout().name, key));
+    else if (!found && !name.empty())
+        table.error_at(key,
+                       unknown(fmt::format("the {} panel's {}", layout().name, key), name, names_of(all)));
+    return {found, name};
+}
+
 void MappingReader::read_lamp(TableReader& table) {
-    const std::string name = table.text("lamp");
-    const auto lamp = find_lamp(layout(), name);
-    if (!lamp && layout().lamps.empty())
-        table.error_at("lamp", fmt::format("the {} panel has no lamps", layout().name));
-    else if (!lamp && !name.empty())
-        table.error_at("lamp", unknown(fmt::format("the {} panel's lamp", layout().name), name,
-                                       names_of(layout().lamps)));
+    const auto [lamp, name] = shown_on(table, "lamp", layout().lamps, find_lamp);
     LampBinding binding;
     binding.when = when(table);
     const auto shown = shows(table);
@@ -148,13 +155,7 @@ void MappingReader::read_lamp(TableReader& table) {
 }
 
 void MappingReader::read_display(TableReader& table) {
-    const std::string name = table.text("display");
-    const auto display = find_display(layout(), name);
-    if (!display && layout().displays.empty())
-        table.error_at("display", fmt::format("the {} panel has no displays", layout().name));
-    else if (!display && !name.empty())
-        table.error_at("display", unknown(fmt::format("the {} panel's display", layout().name), name,
-                                          names_of(layout().displays)));
+    const auto [display, name] = shown_on(table, "display", layout().displays, find_display);
     DisplayBinding binding;
     binding.when = when(table);
     const auto shown = shows(table);

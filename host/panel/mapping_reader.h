@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace linkdig::panel {
 
@@ -35,6 +36,15 @@ private:
     void read_display(TableReader& table);
     Step read_step(TableReader& table, Signal written);
     std::optional<Shown> shows(TableReader& table);
+
+    /// One of the panel's lamps or displays, if it has the one that is named.
+    struct Place {
+        std::optional<std::size_t> index;
+        std::string name;
+    };
+    using FindPlace = std::optional<std::size_t> (*)(const PanelLayout&, std::string_view);
+    template <typename All>
+    Place shown_on(TableReader& table, const std::string& key, const All& all, FindPlace find) const;
 
     /// The named control, if it is there and of one of these kinds.
     std::optional<std::uint8_t> control(TableReader& table, std::initializer_list<ControlKind> kinds);

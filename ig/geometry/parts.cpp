@@ -17,11 +17,15 @@ void add_to(const std::vector<Value>& more, std::vector<Value>& all) {
 
 OrderPart whole_of(const PriorityOrder& order) { return {{}, {order.runs.size(), 0}}; }
 
-void cut_order(const ActiveDatabase& active, const PriorityOrder& order, std::size_t parts,
-               std::vector<OrderPart>& cut) {
+std::uint64_t count_faces(const ActiveDatabase& active, const PriorityOrder& order) {
     std::uint64_t faces = 0;
     for (const RankedRun& ranked : order.runs)
         faces += faces_of(active, ranked);
+    return faces;
+}
+
+void cut_order(const ActiveDatabase& active, const PriorityOrder& order, std::uint64_t faces,
+               std::size_t parts, std::vector<OrderPart>& cut) {
     cut.clear();
     FacePlace from;
     std::uint64_t before = 0; // faces before run `at`

@@ -28,9 +28,12 @@ struct OrderPart {
 /// All of an order.
 OrderPart whole_of(const PriorityOrder& order);
 
-/// Cuts an order into this many consecutive parts of about the same number of faces; the last ones may be empty.
-void cut_order(const ActiveDatabase& active, const PriorityOrder& order, std::size_t parts,
-               std::vector<OrderPart>& cut);
+/// Faces of an order, before any is looked at.
+std::uint64_t count_faces(const ActiveDatabase& active, const PriorityOrder& order);
+
+/// Cuts an order of so many faces into this many consecutive parts of about the same number of faces; the last ones may be empty.
+void cut_order(const ActiveDatabase& active, const PriorityOrder& order, std::uint64_t faces,
+               std::size_t parts, std::vector<OrderPart>& cut);
 
 /// Adds what the next part has projected behind what is there.
 void append(const ProjectedFaces& part, ProjectedFaces& all);

@@ -176,8 +176,7 @@ struct Machine::State {
         run(&StageTimes::priority_s,
             [&] { prioritise(active, view, channel.priority_scratch, channel.order); });
         run(&StageTimes::geometry_s, [&] {
-            cut_order(active, channel.order, parts_of(channel.order), channel.cut);
-            if (channel.parts.size() < channel.cut.size()) channel.parts.resize(channel.cut.size());
+            cut(channel);
             for_parts(channel, [&](std::size_t p, GeometryPart& part) {
                 project(active, channel.order, channel.cut[p], view, raster, packet.visibility_m > 0.0F,
                         part.scratch, p == 0 ? channel.projected : part.projected);
@@ -205,12 +204,12 @@ struct Machine::State {
         if (configuration.capacity.limited()) add_load(channel, counts);
     }
 
-    std::size_t parts_of(const PriorityOrder& order) const {
-        if (workers.size() == 1) return 1;
-        std::uint64_t faces = 0;
-        for (const RankedRun& ranked : order.runs)
-            faces += active.blocks[ranked.block].runs[ranked.run].face_count;
-        return faces < faces_worth_sharing ? 1 : workers.size();
+    /// A part for each thread, if there are faces enough.
+    void cut(Channel& channel) const {
+        const std::uint64_t faces = count_faces(active, channel.order);
+        cut_order(active, channel.order, faces, faces < faces_worth_sharing ? 1 : workers.size(),
+                  channel.cut);
+        if (channel.parts.size() < channel.cut.size()) channel.parts.resize(channel.cut.size());
     }
 
     /// work(number, part) for each part of a channel's faces, shared among the threads.

@@ -131,8 +131,7 @@ void cover_line(const OutlineLine& traced, std::int32_t elements, LineCoverage& 
         coverage.whole_begin = std::clamp(leading.end, 0, elements);
         coverage.whole_end = std::clamp(trailing.begin, 0, elements);
     } else {
-        coverage.parts[0] = open_part(std::min(leading.begin, trailing.begin),
-                                      std::max(leading.end, trailing.end), 0, elements, areas);
+        coverage.parts[0] = open_part(traced.begin, traced.end, 0, elements, areas);
     }
     for (const EdgePiece& piece : traced.pieces) {
         const PartlyCovered& part = coverage.parts[apart && piece.sign < 0 ? 1 : 0];

@@ -8,6 +8,7 @@
 #include "ig/edges/edge.h"
 #include "ig/scanline/segment.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -43,8 +44,8 @@ struct EdgeSide {
     std::int32_t height = 0;
 
     void add(const EdgePiece& piece) {
-        begin = begin < piece.first() ? begin : piece.first();
-        end = end > piece.last() + 1 ? end : piece.last() + 1;
+        begin = std::min(begin, piece.first());
+        end = std::max(end, piece.last() + 1);
         height += piece.height;
     }
 };

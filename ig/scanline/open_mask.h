@@ -9,6 +9,22 @@ namespace linkdig::ig {
 
 inline constexpr std::uint32_t word_bits = 64;
 
+/// Bits [first, end) of a word.
+struct BitRun {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+    std::uint32_t count() const { return end - first; }
+};
+
+/// Takes the lowest run of set bits off `bits`, which are not all clear.
+inline BitRun take_run(std::uint64_t& bits) {
+    const auto first = static_cast<std::uint32_t>(std::countr_zero(bits));
+    const std::uint64_t rest =
+        bits + (std::uint64_t{1} << first); // carries to the first clear bit behind the run
+    bits &= rest;
+    return {first, rest == 0 ? word_bits : static_cast<std::uint32_t>(std::countr_zero(rest))};
+}
+
 /// First element in [at, end) whose bit, exclusive-ored with `inverted`, is set; end if there is none.
 inline std::uint32_t next_bit(const std::uint64_t* bits, std::uint32_t at, std::uint32_t end,
                               std::uint64_t inverted) {

@@ -1,7 +1,7 @@
 #include "ig/scanline/scanline.h"
 
 #include "ig/edges/edges.h"
-#include "ig/prefetch.h"
+#include "ig/scanline/fetch_ahead.h"
 #include "ig/scanline/open_mask.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ public:
             k += take_small(ranks.subspan(k), lights);
             if (k == ranks.size()) break;
             const std::uint32_t rank = ranks[k];
-            fetch_ahead(ranks.subspan(k));
+            fetch_ahead(edges_, ranks.subspan(k), smoothing_);
             for (; !lights.empty() && lights.front().rank <= rank; lights = lights.subspan(1))
                 put_light(lights.front(), splats);
             if (band_.open_lines == 0) break; // whatever comes now is behind
@@ -44,21 +44,6 @@ public:
     }
 
 private:
-    /// A band's faces stand far apart in memory: asks for those that are soon needed, their edges when they are there.
-    LINKDIG_ALWAYS_INLINE void fetch_ahead(std::span<const std::uint32_t> ranks) const {
-        constexpr std::size_t faces_ahead = 32, edges_ahead = 12;
-        if (ranks.size() > faces_ahead) prefetch(&edges_.faces[ranks[faces_ahead]]);
-        if (ranks.size() <= edges_ahead) return;
-        const EdgeFace& face = edges_.faces[ranks[edges_ahead]];
-        if (smoothing_) {
-            prefetch(edges_.outlines.data() + face.first_outline);
-            prefetch(edges_.outlines.data() + face.first_outline + 2);
-        } else {
-            prefetch(edges_.edges.data() + face.first_edge);
-            prefetch(edges_.edges.data() + face.first_edge + 2);
-        }
-    }
-
     /// Takes the small faces that come first, up to the next light; how many they are.
     std::size_t take_small(std::span<const std::uint32_t> ranks, std::span<const BandLight> lights) {
         if (smoothing_ || sharing_) return 0;
@@ -204,15 +189,13 @@ private:
                 mine ^= others;
             }
             while (mine != 0) {
-                const auto first = static_cast<std::uint32_t>(std::countr_zero(mine));
-                const auto count = static_cast<std::uint32_t>(std::countr_one(mine >> first));
-                const std::uint32_t at = word * word_bits + first;
+                const BitRun run = take_run(mine);
+                const std::uint32_t at = word * word_bits + run.first;
                 if (at != run_end) {
                     taken += put_segment(line, run_begin, run_end);
                     run_begin = at;
                 }
-                run_end = at + count;
-                mine &= first + count < word_bits ? ~std::uint64_t{0} << (first + count) : 0;
+                run_end = at + run.count();
             }
         }
         taken += put_segment(line, run_begin, run_end);
@@ -223,13 +206,8 @@ private:
     void take_alone(std::size_t line, std::uint32_t from, std::uint64_t mine) {
         std::uint32_t taken = 0;
         while (mine != 0) {
-            const auto first = static_cast<std::uint32_t>(std::countr_zero(mine));
-            const std::uint64_t rest =
-                mine + (std::uint64_t{1} << first); // carries to the first clear bit behind the run
-            const std::uint32_t end =
-                rest == 0 ? word_bits : static_cast<std::uint32_t>(std::countr_zero(rest));
-            mine &= rest;
-            taken += put_segment(line, from + first, from + end);
+            const BitRun run = take_run(mine);
+            taken += put_segment(line, from + run.first, from + run.end);
         }
         lose(line, taken);
     }
@@ -252,13 +230,11 @@ private:
         std::uint32_t* left = left_of(line);
         std::uint32_t taken = 0;
         while (pixels != 0) {
-            const auto first = static_cast<std::uint32_t>(std::countr_zero(pixels));
-            const auto count = static_cast<std::uint32_t>(std::countr_one(pixels >> first));
-            begin_run(line, from + first, count);
-            for (std::uint32_t k = 0; k < count; ++k)
-                out_.weights.push_back(left[from + first + k]);
-            taken += count;
-            pixels &= first + count < word_bits ? ~std::uint64_t{0} << (first + count) : 0;
+            const BitRun run = take_run(pixels);
+            begin_run(line, from + run.first, run.count());
+            for (std::uint32_t element = run.first; element < run.end; ++element)
+                out_.weights.push_back(left[from + element]);
+            taken += run.count();
         }
         return taken;
     }
@@ -373,12 +349,12 @@ private:
         rank_ = background_rank;
         for (std::int32_t number = 0; number < end_line_ - first_line_ && band_.open_lines != 0; ++number) {
             const auto line = static_cast<std::size_t>(number);
-            const std::uint64_t* open = open_of(line);
+            std::uint64_t* open = open_of(line);
             const std::uint64_t* shared = out_.shared.data() + line * words_;
             for (std::uint32_t word = 0; word < words_; ++word) {
                 if (const std::uint64_t rests = open[word] & shared[word]; rests != 0)
                     take_rests(line, word * word_bits, rests);
-                open_of(line)[word] &= ~shared[word];
+                open[word] &= ~shared[word];
             }
             for (std::uint32_t at = next_set(open, 0, end); at < end;) {
                 const std::uint32_t stop = next_clear(open, at, end);
@@ -397,14 +373,12 @@ private:
             for (std::uint32_t word = 0; word < words_; ++word) {
                 std::uint64_t pixels = out_.shared[line * words_ + word];
                 while (pixels != 0) {
-                    const auto first = static_cast<std::uint32_t>(std::countr_zero(pixels));
-                    const auto count = static_cast<std::uint32_t>(std::countr_one(pixels >> first));
-                    std::uint32_t* left = left_of(line) + word * word_bits + first;
-                    std::fill_n(left, count, whole_pixel);
+                    const BitRun run = take_run(pixels);
+                    std::uint32_t* left = left_of(line) + word * word_bits + run.first;
+                    std::fill_n(left, run.count(), whole_pixel);
                     if (fading_)
-                        std::fill_n(scratch_.fading.begin() + (left - scratch_.left.data()), count,
+                        std::fill_n(scratch_.fading.begin() + (left - scratch_.left.data()), run.count(),
                                     FadingPixel{});
-                    pixels &= first + count < word_bits ? ~std::uint64_t{0} << (first + count) : 0;
                 }
             }
         }

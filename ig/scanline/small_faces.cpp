@@ -2,11 +2,11 @@
 #define LINKDIG_SMALL_FACES_ONCE
 #include "ig/scanline/small_faces.h"
 
-#include "ig/prefetch.h"
+#include "ig/scanline/fetch_ahead.h"
+#include "ig/scanline/open_mask.h"
 #include "ig/simd/simd_level.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace linkdig::ig {
 namespace {
@@ -17,16 +17,6 @@ struct Crossings {
     alignas(64) std::array<std::int64_t, room> begin;
     alignas(64) std::array<std::int64_t, room> end;
 };
-
-/// A band's faces stand far apart in memory: asks for those that are soon needed, their edges when they are there.
-LINKDIG_ALWAYS_INLINE void fetch_faces(const FaceEdges& edges, std::span<const std::uint32_t> ranks) {
-    constexpr std::size_t faces_ahead = 32, edges_ahead = 12;
-    if (ranks.size() > faces_ahead) prefetch(&edges.faces[ranks[faces_ahead]]);
-    if (ranks.size() <= edges_ahead) return;
-    const Edge* edge = edges.edges.data() + edges.faces[ranks[edges_ahead]].first_edge;
-    prefetch(edge);
-    prefetch(edge + 2);
-}
 
 } // namespace
 } // namespace linkdig::ig
@@ -86,12 +76,9 @@ HWY_INLINE bool Cross(const EdgeFace& face, const Edge* edges, const OpenBand& b
 HWY_INLINE std::size_t PutRuns(std::uint64_t mine, Segment segment, std::uint32_t window, Segment* out) {
     std::size_t runs = 0;
     while (mine != 0) {
-        const auto first = static_cast<std::uint32_t>(std::countr_zero(mine));
-        const std::uint64_t rest = mine + (std::uint64_t{1} << first); // carries to behind the run
-        const std::uint32_t end = rest == 0 ? 64U : static_cast<std::uint32_t>(std::countr_zero(rest));
-        mine &= rest;
-        segment.first = static_cast<std::uint16_t>(window + first);
-        segment.count = static_cast<std::uint16_t>(end - first);
+        const BitRun run = take_run(mine);
+        segment.first = static_cast<std::uint16_t>(window + run.first);
+        segment.count = static_cast<std::uint16_t>(run.count());
         out[runs++] = segment;
     }
     return runs;
@@ -164,7 +151,7 @@ std::size_t TakeSmallFaces(const FaceEdges& edges, std::span<const std::uint32_t
     std::size_t made = segments.size();
     std::size_t k = 0;
     for (; k < ranks.size() && band.open_lines != 0; ++k) {
-        fetch_faces(edges, ranks.subspan(k));
+        fetch_ahead(edges, ranks.subspan(k), false);
         const EdgeFace& face = edges.faces[ranks[k]];
         if (face.blends) break;
         const Edge* edge = edges.edges.data() + face.first_edge;

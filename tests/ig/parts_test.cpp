@@ -24,7 +24,7 @@ Stages in_parts(const ActiveDatabase& active, const PriorityOrder& order, const 
                 std::size_t parts) {
     const Raster raster{200, 200, Scan::horizontal};
     std::vector<OrderPart> cut;
-    cut_order(active, order, parts, cut);
+    cut_order(active, order, count_faces(active, order), parts, cut);
     EXPECT_EQ(cut.size(), parts);
     GeometryScratch scratch;
     Stages all;
@@ -118,7 +118,7 @@ TEST(Parts, CutInsideARunKeepItsLightsBetweenTheirFaces) { compare_cuts(lit_boxe
 
 TEST(Parts, OfNothingAreNothing) {
     std::vector<OrderPart> cut;
-    cut_order({}, {}, 3, cut);
+    cut_order({}, {}, 0, 3, cut);
     ASSERT_EQ(cut.size(), 3U);
     for (const OrderPart& part : cut)
         EXPECT_EQ(part.from, part.to);

@@ -6,6 +6,7 @@
 #include "host/panel/panel_link.h"
 #include "ig/sink/hash_sink.h"
 #include "tests/tools/command.h"
+#include "tests/tools/small_flight.h"
 #include "tools/flight/bad_input.h"
 #include "tools/flight/flight.h"
 #include "tools/flight/replay.h"
@@ -23,16 +24,6 @@ namespace {
 using host::Signal;
 using testing::HasSubstr;
 
-FlightRequest small_flight() {
-    FlightRequest request;
-    request.scenario_path = LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml";
-    request.configuration = ig::modern_profile();
-    request.configuration.raster.width = 160;
-    request.configuration.raster.height = 120;
-    request.configuration.update_rate_hz = 30.0;
-    return request;
-}
-
 /// The bits of the multi panel in each frame: knobs turned at several places of the selector, and buttons.
 constexpr std::array<std::uint32_t, 14> hands{0x000001, 0x000041, 0x000001, 0x000010, 0x000030,
                                               0x000010, 0x000050, 0x000004, 0x000024, 0x000004,
@@ -43,7 +34,7 @@ TEST(PanelRecording, TheSamePicturesWithoutThePanel) {
     std::vector<std::uint64_t> pictures;
     std::vector<std::vector<std::uint8_t>> packets;
     {
-        Flight flight(small_flight());
+        Flight flight(small_flight(160, 120, 30.0));
         host::SignalStore signals;
         const host::IndicationStore indications;
         panel::PanelDesk desk(mappings_of({}), signals, indications, [](const std::string&) {});
@@ -70,12 +61,12 @@ TEST(PanelRecording, TheSamePicturesWithoutThePanel) {
         EXPECT_EQ(signals.value(Signal::smooth_shading), 0.0);
         EXPECT_NE(signals.value(Signal::time_of_day), 0.0);
     }
-    Replay replay(folder.file("flight.rec"), "", small_flight().configuration);
+    Replay replay(folder.file("flight.rec"), "", small_flight(160, 120, 30.0).configuration);
     for (std::uint64_t frame = 0; frame < hands.size(); ++frame) {
         EXPECT_EQ(encode_packet(replay.draw()), packets[frame]) << frame;
         EXPECT_EQ(ig::picture_hash(replay.machine().picture(0)), pictures[frame]) << frame;
     }
-    Flight again(small_flight()); // by the recorded signals alone
+    Flight again(small_flight(160, 120, 30.0)); // by the recorded signals alone
     RecordingReader reader(folder.file("flight.rec"));
     FramePacket packet;
     while (reader.next(packet)) {

@@ -3,6 +3,7 @@
 #include "host/packet/packet_bytes.h"
 #include "ig/sink/hash_sink.h"
 #include "tests/tools/pictures.h"
+#include "tests/tools/small_flight.h"
 #include "tools/flight/bad_input.h"
 #include "tools/flight/replay.h"
 #include "tools/flight/saved_state.h"
@@ -18,16 +19,6 @@ using testing::HasSubstr;
 
 constexpr std::uint64_t frames = 12;
 
-FlightRequest small_flight() {
-    FlightRequest request;
-    request.scenario_path = LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml";
-    request.configuration = ig::modern_profile();
-    request.configuration.raster.width = 160;
-    request.configuration.raster.height = 120;
-    request.configuration.update_rate_hz = 30.0;
-    return request;
-}
-
 /// Somebody at the controls: takes over in frame 3.
 host::SignalValues controls(std::uint64_t frame) {
     host::SignalValues signals;
@@ -41,7 +32,7 @@ host::SignalValues controls(std::uint64_t frame) {
 class RecordReplay : public testing::Test {
 protected:
     void SetUp() override {
-        Flight flight(small_flight());
+        Flight flight(small_flight(160, 120, 30.0));
         RecordingWriter recording(folder_.file("flight.rec"), flight.recording_header(), flight.history());
         for (std::uint64_t frame = 0; frame < frames; ++frame) {
             const std::vector<std::uint8_t> before = flight.history();
@@ -59,7 +50,7 @@ protected:
 
 TEST_F(RecordReplay, GivesTheSamePicturesFromAnyPacketOn) {
     for (const std::uint64_t from : {std::uint64_t{0}, std::uint64_t{5}, frames - 1}) {
-        Replay replay(folder_.file("flight.rec"), "", small_flight().configuration);
+        Replay replay(folder_.file("flight.rec"), "", small_flight(160, 120, 30.0).configuration);
         EXPECT_EQ(replay.packets(), frames);
         replay.skip_to(from);
         for (std::uint64_t frame = from; frame < frames; ++frame) {
@@ -71,7 +62,7 @@ TEST_F(RecordReplay, GivesTheSamePicturesFromAnyPacketOn) {
 }
 
 TEST_F(RecordReplay, AFlightGoesOnFromItsSavedState) {
-    Flight flight(small_flight());
+    Flight flight(small_flight(160, 120, 30.0));
     const SavedState state = load_state(folder_.file("left.state"), flight.database_id());
     EXPECT_EQ(state.packet.frame, left);
     flight.resume(state.packet, state.history);
@@ -83,7 +74,7 @@ TEST_F(RecordReplay, AFlightGoesOnFromItsSavedState) {
 }
 
 TEST_F(RecordReplay, AStateCutFromTheRecordingIsTheSavedOne) {
-    Replay replay(folder_.file("flight.rec"), "", small_flight().configuration);
+    Replay replay(folder_.file("flight.rec"), "", small_flight(160, 120, 30.0).configuration);
     replay.skip_to(left);
     replay.save_state(folder_.file("cut.state"));
     EXPECT_EQ(bytes_of(folder_.file("cut.state")), bytes_of(folder_.file("left.state")));
@@ -98,7 +89,7 @@ TEST_F(RecordReplay, MistakesAreTold) {
         }
         return "";
     };
-    const ig::Configuration configuration = small_flight().configuration;
+    const ig::Configuration configuration = small_flight(160, 120, 30.0).configuration;
     EXPECT_THAT(told([&] { Replay(folder_.file("none.rec"), "", configuration); }),
                 HasSubstr("there is no such file"));
     EXPECT_THAT(told([&] { Replay(folder_.file("flight.rec"), "/nowhere.igdb", configuration); }),
@@ -110,7 +101,7 @@ TEST_F(RecordReplay, MistakesAreTold) {
 }
 
 TEST(Effects, SwitchingThereAndBackIsNothing) {
-    Flight flight(small_flight());
+    Flight flight(small_flight(160, 120, 30.0));
     const host::HostLoop& loop = flight.loop();
     for (std::size_t i = 0; i < effect_count; ++i) {
         const auto effect = static_cast<Effect>(i);
@@ -124,7 +115,7 @@ TEST(Effects, SwitchingThereAndBackIsNothing) {
 }
 
 TEST(Effects, ThePriceInEdgesIsTheDifferenceOfTheReports) {
-    Flight flight(small_flight());
+    Flight flight(small_flight(160, 120, 30.0));
     const auto edges = [&](const host::SignalValues& signals) {
         return static_cast<std::int64_t>(flight.draw(9, signals).channels[0].edges);
     };

@@ -2,6 +2,7 @@
 
 #include "host/loop/host_values.h"
 #include "tests/tools/pictures.h"
+#include "tests/tools/small_flight.h"
 #include "tools/fly/fly.h"
 #include "tools/fly/window.h"
 
@@ -15,16 +16,6 @@ namespace {
 
 using host::Signal;
 
-FlightRequest tiny_flight() {
-    FlightRequest request;
-    request.scenario_path = LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml";
-    request.configuration = ig::modern_profile();
-    request.configuration.raster.width = 64;
-    request.configuration.raster.height = 48;
-    request.configuration.update_rate_hz = 60.0;
-    return request;
-}
-
 std::vector<std::uint64_t> frames_of(const std::string& path) {
     RecordingReader reader(path);
     FramePacket packet;
@@ -36,7 +27,7 @@ std::vector<std::uint64_t> frames_of(const std::string& path) {
 
 TEST(Recordings, EachTimeThatItIsSwitchedOnAFileOfItsOwnBegins) {
     const TemporaryFolder folder;
-    Flight flight(tiny_flight());
+    Flight flight(small_flight(64, 48, 60.0));
     Recordings recordings(folder.file("flight.rec"));
     for (std::uint64_t frame = 0; frame < 12; ++frame) {
         recordings.follow(frame % 4 != 3, flight);
@@ -53,7 +44,7 @@ TEST(Recordings, EachTimeThatItIsSwitchedOnAFileOfItsOwnBegins) {
 }
 
 TEST(Recordings, WhatCannotBeWrittenIsNotRecorded) {
-    Flight flight(tiny_flight());
+    Flight flight(small_flight(64, 48, 60.0));
     Recordings recordings("/nowhere/flight.rec");
     EXPECT_THROW(recordings.follow(true, flight), std::runtime_error);
     EXPECT_FALSE(recordings.active());
@@ -64,7 +55,7 @@ TEST(Recordings, WhatCannotBeWrittenIsNotRecorded) {
 TEST(FlyWithSignals, OthersSwitchTheRecordingAndReadTheInstruments) {
     setenv("SDL_VIDEODRIVER", "dummy", 1);
     const TemporaryFolder folder;
-    Flight flight(tiny_flight());
+    Flight flight(small_flight(64, 48, 60.0));
     Window window("test", 64, 48);
     host::SignalStore signals;
     host::IndicationStore indications;

@@ -67,14 +67,12 @@ bool is_field(const PreviewSubject& subject) {
 
 bool is_endless(const PreviewSubject& subject) { return subject.half_extent_m == Vec3d(0); }
 
-/// Where a moving object stands to be looked at: at the origin, or clear of everything static, to the east of it.
-Vec3d clear_place(const VisualDatabase& database, const PreviewSubject& subject) {
-    Vec3d place(0);
-    for (const PreviewSubject& other : preview_subjects(database))
+/// Puts a moving object at the origin, or clear of everything static, to the east of it.
+void put_clear(const std::vector<PreviewSubject>& subjects, PreviewSubject& moving) {
+    for (const PreviewSubject& other : subjects)
         if (other.moving_object == none && !is_endless(other))
-            place.x = std::max(place.x, other.centre_m.x + other.half_extent_m.x +
-                                            5.0 * glm::length(subject.half_extent_m));
-    return place;
+            moving.stands_m.x = std::max(moving.stands_m.x, other.centre_m.x + other.half_extent_m.x +
+                                                                5.0 * glm::length(moving.half_extent_m));
 }
 
 /// The least range along `outward` from the subject's middle at which all corners of its box lie inside the picture.
@@ -117,6 +115,8 @@ std::vector<PreviewSubject> preview_subjects(const VisualDatabase& database) {
         std::erase_if(subjects, [](const PreviewSubject& subject) {
             return subject.moving_object == none && is_endless(subject);
         });
+    for (PreviewSubject& subject : subjects)
+        if (subject.moving_object != none) put_clear(subjects, subject);
     return subjects;
 }
 
@@ -133,10 +133,9 @@ FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject&
     packet.moving_objects.resize(database.moving_objects.size());
     for (std::size_t i = 0; i < packet.moving_objects.size(); ++i)
         packet.moving_objects[i].visible = subject.moving_object == static_cast<std::int32_t>(i);
-    Vec3d place(0);
     if (subject.moving_object != none) {
         MovingObject& object = packet.moving_objects[static_cast<std::size_t>(subject.moving_object)];
-        place = object.position_m = object.waterline_position_m = clear_place(database, subject);
+        object.position_m = object.waterline_position_m = subject.stands_m;
     }
     packet.lod_bias = finest;
     const Vec3d outward = direction(radians(view.azimuth_deg), radians(view.elevation_deg));
@@ -156,7 +155,7 @@ FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject&
         aim = channel.eye_m - Vec3d(outward.x, outward.y, view.elevation_deg < 60.0 ? 0.12 : outward.z);
     }
     channel.attitude = host::looking_along(aim - channel.eye_m);
-    channel.eye_m += place;
+    channel.eye_m += subject.stands_m;
     channel.top_tangent = tangent(half);
     channel.bottom_tangent = -channel.top_tangent;
     channel.right_tangent = channel.top_tangent * aspect;

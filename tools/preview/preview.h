@@ -15,7 +15,9 @@ struct PreviewSubject {
     std::string name;
     std::int32_t moving_object = none; ///< or none: static
     Vec3d centre_m{0};                 ///< of its contents; of a moving object in its body frame
-    Vec3d half_extent_m{0};  ///< of the box about the centre that holds them; zero: no size of its own
+    Vec3d half_extent_m{0}; ///< of the box about the centre that holds them; zero: no size of its own
+    Vec3d stands_m{
+        0}; ///< where a moving object is put to be looked at: the origin, or clear of everything static
     std::uint32_t faces = 0; ///< with the first alternative of each slot, and every level of detail
 };
 
