@@ -84,6 +84,7 @@ int run(const RenderOptions& options) {
     std::optional<Photographer> photographer;
     if (options.display == "retro") photographer.emplace(flight.configuration());
     Progress progress(stderr_is_terminal(), range.last - range.first + 1);
+    flight.lead_in(range.first, {});
     for (std::uint64_t frame = range.first; frame <= range.last; ++frame) {
         flight.draw(frame, {});
         for (const ig::Plane plane : planes)

@@ -39,6 +39,27 @@ WaveField SplatGrid::field() const {
     return field;
 }
 
+Vec2d slope_at(const WaveField& field, std::uint32_t column, std::uint32_t row) {
+    const auto height = [&](std::uint32_t c, std::uint32_t r) {
+        return static_cast<double>(field.heights[std::size_t{r} * field.size + c]);
+    };
+    const std::uint32_t last = field.size - 1;
+    const std::uint32_t left = column > 0 ? column - 1 : 0;
+    const std::uint32_t right = std::min(column + 1, last);
+    const std::uint32_t below = row > 0 ? row - 1 : 0;
+    const std::uint32_t above = std::min(row + 1, last);
+    const double across = field.cell * std::max(1.0, static_cast<double>(right - left));
+    const double up = field.cell * std::max(1.0, static_cast<double>(above - below));
+    return {(height(right, row) - height(left, row)) / across,
+            (height(column, above) - height(column, below)) / up};
+}
+
+Vec3f normal_at(const WaveField& field, std::uint32_t column, std::uint32_t row) {
+    const Vec2d slope = slope_at(field, column, row);
+    const double length = std::sqrt(slope.x * slope.x + slope.y * slope.y + 1.0);
+    return Vec3f(Vec3d(-slope.x, -slope.y, 1.0) / length);
+}
+
 double rms_of(const WaveField& field) {
     double sum = 0.0;
     for (const float h : field.heights)

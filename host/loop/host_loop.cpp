@@ -87,12 +87,14 @@ void HostLoop::move_ships(double time_s, const SignalValues& signals) {
 void HostLoop::point_slots(std::uint64_t frame, const SignalValues& signals) {
     packet_.substitutions.clear(); // keeps its memory
     packet_.priorities.clear();
+    packet_.wakes.clear();
     for (const Pointer& each : pointers_)
         packet_.substitutions.push_back({each.slot, each.sequence.index(frame)});
     for (std::size_t i = 0; i < ships_.size(); ++i) {
         const MovingObject& ship = packet_.moving_objects[ships_[i].row];
         methods_[i].put(ship, signals, frame, packet_);
         methods_[i].roll_cams(ship, signals, frame, packet_);
+        methods_[i].put_made_wakes(signals, ships_[i].track.speed_at(packet_.time_s), packet_);
     }
 }
 

@@ -35,6 +35,8 @@ void point_sequence(const MaybeSlot& slot, const FaceSequence& sequence, bool sh
 }
 
 Signal signal_of(Wake wake) {
+    if (wake == Wake::kelvin) return Signal::kelvin;
+    if (wake == Wake::wave_particles) return Signal::wave_particles;
     return static_cast<Signal>(static_cast<std::size_t>(Signal::white_v) + static_cast<std::size_t>(wake));
 }
 
@@ -113,6 +115,30 @@ void ShipMethods::put_wakes(const SignalValues& signals, std::uint64_t frame, Fr
     point(slots_.v_wake, v, packet);
     point(slots_.churn, shows(Wake::churned, signals) ? 1 : 0, packet);
     point(slots_.cam, shows(Wake::cam, signals) ? 1 : 0, packet);
+}
+
+void ShipMethods::put_made_wakes(const SignalValues& signals, double speed_mps, FramePacket& packet) const {
+    const WaterSection& water = section_.water;
+    const auto ask = [&](Wake wake, WakeMethod method, const std::optional<std::uint32_t>& list,
+                         std::uint32_t faces) {
+        if (!shows(wake, signals)) return;
+        packet.wakes.push_back({.list = *list,
+                                .moving_object = *slots_.moving_object,
+                                .method = method,
+                                .heights = water.heights,
+                                .colour = *slots_.wake_light,
+                                .most_faces = faces,
+                                .age_s = static_cast<float>(water.kelvin_age_s),
+                                .strength = static_cast<float>(water.strength),
+                                .speed_mps = static_cast<float>(speed_mps),
+                                .length_m = static_cast<float>(water.length_m),
+                                .beam_m = static_cast<float>(water.beam_m),
+                                .hull = method == WakeMethod::wave_particles
+                                            ? static_cast<std::int32_t>(*slots_.hull)
+                                            : none});
+    };
+    ask(Wake::kelvin, WakeMethod::kelvin, slots_.kelvin, water.kelvin_faces);
+    ask(Wake::wave_particles, WakeMethod::wave_particles, slots_.wave_particles, water.particle_faces);
 }
 
 void ShipMethods::put_lights(bool full_day, FramePacket& packet) const {

@@ -24,6 +24,8 @@ public:
     /// scenario nor a signal names a method.
     void put(const MovingObject& ship, const SignalValues& signals, std::uint64_t frame,
              FramePacket& packet) const;
+    /// Asks for the wakes that the machine makes itself, of a ship of this speed.
+    void put_made_wakes(const SignalValues& signals, double speed_mps, FramePacket& packet) const;
     /// Lights her lights, if she has any, or leaves them dark.
     void put_lights(bool full_day, FramePacket& packet) const;
     /// Rolls her cams, if she has any.

@@ -40,6 +40,12 @@ Steering ShipTrack::along(double time_s) const {
     return steadied;
 }
 
+double ShipTrack::speed_at(double time_s) const {
+    constexpr double step_s = 0.05; // a difference of places: exact on straight tracks
+    const Vec3d moved = at(time_s + step_s).position_m - at(time_s - step_s).position_m;
+    return glm::dot(moved, direction(at(time_s).heading_rad, 0.0)) / (2.0 * step_s);
+}
+
 Steering ShipTrack::at(double time_s) const {
     Steering steering = along(time_s);
     if (station_m != Vec3d(0.0)) steering.position_m += steering.world_from_mean() * station_m;

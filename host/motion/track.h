@@ -32,6 +32,8 @@ struct ShipTrack {
 
     /// Continuous in place and heading for all times.
     Steering at(double time_s) const;
+    /// Along the heading: on a station in a turn another than the leader's. Metres a second.
+    double speed_at(double time_s) const;
 
 private:
     Steering along(double time_s) const;

@@ -200,6 +200,42 @@ std::string check_host_values(const FramePacket& packet, const PacketLimits&) {
     return {};
 }
 
+std::string check_wake(const FramePacket& packet, std::size_t i, const PacketLimits& limits) {
+    const WakeRequest& wake = packet.wakes[i];
+    constexpr std::string_view table = "wakes";
+    std::string reason = check_index({table, i, "list"}, wake.list, limits.lists, "lists");
+    for (std::size_t k = 0; k < i && reason.empty(); ++k)
+        if (packet.wakes[k].list == wake.list)
+            reason = fmt::format("wakes[{}].list is {}, as wakes[{}].list is", i, wake.list, k);
+    if (reason.empty())
+        reason = check_index({table, i, "moving_object"}, wake.moving_object, limits.moving_objects,
+                             "moving objects");
+    if (reason.empty()) reason = check_index({table, i, "colour"}, wake.colour, limits.colours, "colours");
+    if (reason.empty() && wake.method > WakeMethod::wave_particles)
+        reason = fmt::format("wakes[{}].method is none of kelvin, wave_particles", i);
+    if (reason.empty() && (wake.method == WakeMethod::wave_particles || wake.hull != none))
+        reason = check_index({table, i, "hull"}, wake.hull, limits.lists, "lists");
+    struct Bound {
+        std::string_view member;
+        double value, least, greatest;
+    };
+    for (const Bound& bound : {Bound{"most_faces", static_cast<double>(wake.most_faces), 0.0, most_wake_faces},
+                               Bound{"age_s", wake.age_s, 1.0, most_wake_age_s},
+                               Bound{"strength", wake.strength, 0.0, 10.0},
+                               Bound{"speed_mps", wake.speed_mps, -100.0, 100.0},
+                               Bound{"length_m", wake.length_m, 1.0, 1000.0},
+                               Bound{"beam_m", wake.beam_m, 0.1, 1000.0}})
+        if (reason.empty())
+            reason = check_range({table, i, bound.member}, bound.value, bound.least, bound.greatest);
+    return reason;
+}
+
+std::string check_wakes(const FramePacket& packet, const PacketLimits& limits) {
+    for (std::size_t i = 0; i < packet.wakes.size(); ++i)
+        if (std::string reason = check_wake(packet, i, limits); !reason.empty()) return reason;
+    return {};
+}
+
 std::string check_environment(const FramePacket& packet, const PacketLimits& limits) {
     if (packet.database_id != 0 && limits.database_id != 0 && packet.database_id != limits.database_id)
         return fmt::format("database_id is {:016x}; the database in use has {:016x}", packet.database_id,
@@ -248,7 +284,8 @@ PacketLimits packet_limits(const VisualDatabase& database, std::uint64_t databas
 std::string check_packet(const FramePacket& packet, const PacketLimits& limits) {
     for (const auto& check :
          {check_channels, check_suns, check_lighting, check_moving_objects, check_substitutions,
-          check_normal_updates, check_priorities, check_host_values, check_environment})
+          check_normal_updates, check_priorities, check_host_values, check_wakes,
+          check_environment})
         if (std::string reason = check(packet, limits); !reason.empty()) return reason;
     return {};
 }

@@ -81,6 +81,28 @@ struct SeaParameters {
     float current_north_mps = 0;
 };
 
+/// How the machine makes a wake of a moving object's way, frame by frame.
+enum class WakeMethod : std::uint8_t {
+    kelvin,         ///< of her last minutes' track: crests, and churned water along it
+    wave_particles, ///< of what her hull does to the water, as it floats
+};
+
+/// A wake that is made at frame time, as the faces of an object list that has none of its own.
+struct WakeRequest {
+    std::uint32_t list = 0;          ///< index into VisualDatabase::lists; in one row at most
+    std::uint32_t moving_object = 0; ///< whose wake
+    WakeMethod method = WakeMethod::kelvin;
+    bool heights = false;            ///< its vertices rise and fall, besides being lit
+    std::uint32_t colour = 0;        ///< colour code of its faces
+    std::uint32_t most_faces = 4000; ///< reserved: it never takes more
+    float age_s = 180.0F;            ///< kelvin: what is older is gone
+    float strength = 1.0F;           ///< factor on its light and its height
+    float speed_mps = 0.0F;          ///< through the water, along the heading
+    float length_m = 160.0F;         ///< of the waterline, its middle at the moving object's position
+    float beam_m = 20.0F;
+    std::int32_t hull = none; ///< wave_particles: the list whose faces are the hull in the water
+};
+
 struct FramePacket {
     std::uint64_t frame = 0;
     double time_s = 0.0;
@@ -105,6 +127,7 @@ struct FramePacket {
     bool discontinuity = false; ///< the viewpoint or the scene jumped: histories start anew
     std::vector<ClusterPriority> priorities;
     std::vector<HostValue> host_values;
+    std::vector<WakeRequest> wakes; ///< those that are there in this frame
 };
 
 } // namespace linkdig

@@ -44,6 +44,15 @@ struct Overload {
 /// In words, a line each: "levels of detail end at 0.35 of their range: 3 show less", "objects under 4 px left out: 120".
 std::vector<std::string> overload_text(const Overload& overload);
 
+/// A wake that the machine made itself.
+struct WakeReport {
+    std::uint32_t list = 0;
+    std::uint32_t faces = 0;     ///< made, of those reserved
+    std::uint64_t edges = 0;     ///< of them, on all channels
+    std::uint32_t particles = 0; ///< alive
+    bool operator==(const WakeReport&) const = default;
+};
+
 struct FrameReport {
     std::uint64_t frame = 0;
     std::vector<ChannelReport> channels;
@@ -54,6 +63,8 @@ struct FrameReport {
     };
     std::vector<FieldDelay> fields;
     Overload overload;
+    std::vector<WakeReport> wakes; ///< parallel to the packet's
+    double wakes_s = 0.0; ///< what making them took, measured; nothing is decided by it
     std::uint64_t overruns = 0;      ///< set by the host's frame clock
     std::vector<std::string> errors; ///< a refused packet says why here; its picture is the frame before
 };

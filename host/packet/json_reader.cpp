@@ -91,6 +91,16 @@ void read_value(const Json& json, const std::string& field, ShadingMethod& value
     throw JsonMistake(field, "expected \"as_modelled\" or \"no_smooth\"");
 }
 
+void read_value(const Json& json, const std::string& field, WakeMethod& value) {
+    for (std::size_t i = 0; i < std::size(wake_method_names); ++i) {
+        if (json == wake_method_names[i]) {
+            value = static_cast<WakeMethod>(i);
+            return;
+        }
+    }
+    throw JsonMistake(field, "expected \"kelvin\" or \"wave_particles\"");
+}
+
 void read_value(const Json& json, const std::string& field, std::int64_t& value) {
     constexpr auto greatest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
     const bool fits =

@@ -28,6 +28,7 @@ void read_value(const Json& json, const std::string& field, float& value);
 void read_value(const Json& json, const std::string& field, Vec3f& value);
 void read_value(const Json& json, const std::string& field, Vec3d& value);
 void read_value(const Json& json, const std::string& field, ShadingMethod& value);
+void read_value(const Json& json, const std::string& field, WakeMethod& value);
 /// "0x1f", or an integer.
 void read_bits(const Json& json, const std::string& field, std::uint64_t& value);
 std::uint64_t read_unsigned(const Json& json, const std::string& field, std::uint64_t greatest);

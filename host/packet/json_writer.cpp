@@ -29,4 +29,9 @@ Json json_of(ShadingMethod method) {
     return index < std::size(shading_method_names) ? Json(shading_method_names[index]) : Json(index);
 }
 
+Json json_of(WakeMethod method) {
+    const auto index = static_cast<std::size_t>(method);
+    return index < std::size(wake_method_names) ? Json(wake_method_names[index]) : Json(index);
+}
+
 } // namespace linkdig

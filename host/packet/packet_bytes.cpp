@@ -44,7 +44,8 @@ std::uint64_t most_bytes(const FramePacket& p) {
         1024 + p.channels.size() * sizeof(stored::ChannelView) + p.suns.size() * sizeof(Vec3f) +
         p.lighting.size() * sizeof(ListLighting) + p.moving_objects.size() * sizeof(stored::MovingObject) +
         p.substitutions.size() * sizeof(Substitution) + p.priorities.size() * sizeof(ClusterPriority) +
-        p.host_values.size() * sizeof(stored::HostValue) + p.colours.size() * sizeof(Colour);
+        p.host_values.size() * sizeof(stored::HostValue) + p.colours.size() * sizeof(Colour) +
+        p.wakes.size() * sizeof(stored::WakeRequest);
     for (const VertexNormalUpdate& update : p.normal_updates)
         bytes += sizeof(stored::VertexNormalUpdate) + update.normals.size() * sizeof(Vec3f);
     return bytes;
@@ -85,7 +86,8 @@ bool copy_tables(const stored::FramePacket& from, FramePacket& to) {
            (from.colours() == nullptr || copy_rows(*from.colours(), to.colours)) &&
            unflatten(from, to.normal_updates) &&
            (from.priorities() == nullptr || copy_rows(*from.priorities(), to.priorities)) &&
-           (from.host_values() == nullptr || copy_rows(*from.host_values(), to.host_values));
+           (from.host_values() == nullptr || copy_rows(*from.host_values(), to.host_values)) &&
+           (from.wakes() == nullptr || copy_rows(*from.wakes(), to.wakes));
 }
 
 void copy_numbers(const stored::FramePacket& from, FramePacket& to) {
@@ -136,6 +138,8 @@ std::vector<std::uint8_t> encode_packet(const FramePacket& packet) {
     if (!packet.priorities.empty()) priorities = stored_rows(builder, packet.priorities);
     flatbuffers::Offset<flatbuffers::Vector<const stored::HostValue*>> host_values;
     if (!packet.host_values.empty()) host_values = stored_rows(builder, packet.host_values);
+    flatbuffers::Offset<flatbuffers::Vector<const stored::WakeRequest*>> wakes;
+    if (!packet.wakes.empty()) wakes = stored_rows(builder, packet.wakes);
     const stored::Vec3 sky = to_stored(packet.sky);
     const stored::SeaParameters sea = to_stored(packet.sea);
     // A float or double that equals the schema's default (0) is left out, and -0 equals 0.
@@ -144,7 +148,7 @@ std::vector<std::uint8_t> encode_packet(const FramePacket& packet) {
         builder, packet.frame, packet.time_s, packet.database_id, channels, suns, lighting, moving_objects,
         substitutions, normal_updates, normals, packet.lod_bias, packet.visibility_m, &sky,
         packet.time_of_day_h, &sea, packet.seed, packet.discontinuity, colours, packet.light_points,
-        priorities, host_values);
+        priorities, host_values, wakes);
     stored::FinishFramePacketBuffer(builder, root);
     return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }

@@ -75,6 +75,21 @@ void fields(auto& visit, Is<HostValue> auto& value) {
     visit.required("value", value.value);
 }
 
+void fields(auto& visit, Is<WakeRequest> auto& wake) {
+    visit.required("list", wake.list);
+    visit.required("moving_object", wake.moving_object);
+    visit("method", wake.method);
+    visit("heights", wake.heights);
+    visit("colour", wake.colour);
+    visit("most_faces", wake.most_faces);
+    visit("age_s", wake.age_s);
+    visit("strength", wake.strength);
+    visit("speed_mps", wake.speed_mps);
+    visit("length_m", wake.length_m);
+    visit("beam_m", wake.beam_m);
+    visit("hull", wake.hull);
+}
+
 void fields(auto& visit, Is<SeaParameters> auto& sea) {
     visit("state", sea.state);
     visit("current_east_mps", sea.current_east_mps);
@@ -102,8 +117,10 @@ void fields(auto& visit, Is<FramePacket> auto& packet) {
     visit("discontinuity", packet.discontinuity);
     visit("priorities", packet.priorities);
     visit("host_values", packet.host_values);
+    visit("wakes", packet.wakes);
 }
 
 inline constexpr const char* shading_method_names[] = {"as_modelled", "no_smooth"};
+inline constexpr const char* wake_method_names[] = {"kelvin", "wave_particles"};
 
 } // namespace linkdig

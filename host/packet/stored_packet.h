@@ -73,6 +73,28 @@ inline ClusterPriority from_stored(const stored::ClusterPriority& c) { return {c
 inline stored::HostValue to_stored(const HostValue& h) { return {h.value, h.index}; }
 inline HostValue from_stored(const stored::HostValue& h) { return {h.index(), h.value()}; }
 
+inline stored::WakeRequest to_stored(const WakeRequest& w) {
+    return {w.list,        w.moving_object, static_cast<std::uint32_t>(w.method),
+            w.colour,      w.most_faces,    w.age_s,
+            w.strength,    w.speed_mps,     w.length_m,
+            w.beam_m,      w.hull,          w.heights};
+}
+/// A method that is no byte becomes 255, which check_packet() refuses.
+inline WakeRequest from_stored(const stored::WakeRequest& w) {
+    return {.list = w.list(),
+            .moving_object = w.moving_object(),
+            .method = static_cast<WakeMethod>(w.method() < 255 ? w.method() : 255),
+            .heights = w.heights(),
+            .colour = w.colour(),
+            .most_faces = w.most_faces(),
+            .age_s = w.age_s(),
+            .strength = w.strength(),
+            .speed_mps = w.speed_mps(),
+            .length_m = w.length_m(),
+            .beam_m = w.beam_m(),
+            .hull = w.hull()};
+}
+
 inline stored::SeaParameters to_stored(const SeaParameters& s) {
     return {s.state, s.current_east_mps, s.current_north_mps};
 }

@@ -25,6 +25,14 @@ std::string without(const MaybeSlot& slot, const std::string& name, std::uint32_
     return {};
 }
 
+std::string without_list(const std::optional<std::uint32_t>& list, const std::string& name) {
+    return list ? std::string() : fmt::format("the list \"{}\"", name);
+}
+
+std::string without_light(const ShipSlots& slots) {
+    return slots.wake_light ? std::string() : "the colour \"wake light\"";
+}
+
 std::string first_of(std::initializer_list<std::string> clauses) {
     for (const std::string& clause : clauses)
         if (!clause.empty()) return clause;
@@ -61,6 +69,11 @@ ShipSlots ship_slots(const std::string& ship, const NameDirectory& directory) {
                     .lights = own("lights"),
                     .cam_port = directory.find_moving_object(ship + ".cam_port"),
                     .cam_starboard = directory.find_moving_object(ship + ".cam_starboard"),
+                    .moving_object = directory.find_moving_object(ship),
+                    .kelvin = directory.find_list(ship + ".kelvin"),
+                    .wave_particles = directory.find_list(ship + ".wave_particles"),
+                    .hull = directory.find_list(ship + ".hull_below"),
+                    .wake_light = directory.find_colour("wake light"),
                     .cluster = {},
                     .number_behind_sea = {}};
     // LPH-2's bow wake is older than the others' and has no ship in its name.
@@ -108,6 +121,11 @@ std::string lacking(const ShipSlots& slots, const std::string& ship, Wake wake) 
         return without(slots.solid_bow_wake, ship + ".solid_bow_wake", 2);
     case Wake::churned:
         return without(slots.churn, ship + ".churn", 2);
+    case Wake::kelvin:
+        return first_of({without_list(slots.kelvin, ship + ".kelvin"), without_light(slots)});
+    case Wake::wave_particles:
+        return first_of({without_list(slots.wave_particles, ship + ".wave_particles"),
+                         without_list(slots.hull, ship + ".hull_below"), without_light(slots)});
     }
     return {};
 }

@@ -26,9 +26,12 @@ enum class Wake : std::uint8_t {
     face_substitution, ///< 28 faces, one at a time (3.2.2)
     solid,             ///< the same as a solid (3.2.3 calls it complex)
     churned,           ///< bow and stern patterns under a fast sun of their own, added to the sea's (3.2.3)
+    kelvin,            ///< made at frame time of her last minutes' track
+    wave_particles,    ///< made at frame time of what her hull does to the water
 };
 inline constexpr std::array wake_names{"white_v",           "blended_v", "cam",
-                                       "face_substitution", "solid",     "churned"};
+                                       "face_substitution", "solid",     "churned",
+                                       "kelvin",            "wave_particles"};
 inline constexpr std::size_t wake_count = wake_names.size();
 using Wakes = std::array<bool, wake_count>;
 

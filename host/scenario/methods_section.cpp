@@ -1,5 +1,7 @@
 #include "host/scenario/sections.h"
 
+#include "host/packet/check_packet.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,6 +31,24 @@ Wakes read_wakes(TableReader& ship) {
     return wakes;
 }
 
+std::uint32_t read_faces(TableReader& reader, const char* key, std::uint32_t faces) {
+    return static_cast<std::uint32_t>(
+        reader.integer(key, faces, 256, static_cast<std::int64_t>(most_wake_faces)));
+}
+
+WaterSection read_water(TableReader& reader) {
+    WaterSection water;
+    water.kelvin_faces = read_faces(reader, "kelvin_faces", water.kelvin_faces);
+    water.kelvin_age_s = reader.duration_s("kelvin_age", water.kelvin_age_s, {5.0, most_wake_age_s});
+    water.particle_faces = read_faces(reader, "particle_faces", water.particle_faces);
+    water.strength = reader.number("strength", water.strength, {0.0, 10.0});
+    water.heights = reader.boolean("heights", water.heights);
+    water.length_m = reader.length_m("length", water.length_m, {1.0, 1000.0});
+    water.beam_m = reader.length_m("beam", water.beam_m, {0.1, 1000.0});
+    reader.finish();
+    return water;
+}
+
 } // namespace
 
 MethodsSection read_methods(TableReader& ship) {
@@ -55,6 +75,10 @@ MethodsSection read_methods(TableReader& ship) {
         methods.cam_axis_rad = cam.angle_rad("axis", degrees(methods.cam_axis_rad), {-90.0, 90.0});
         methods.cam_period_s = cam.duration_s("period", methods.cam_period_s, {0.1, 60.0});
         cam.finish();
+    }
+    if (const toml::table* table = ship.table("water")) {
+        TableReader water(*table, ship.file(), "[ship.water]", ship.diagnostics());
+        methods.water = read_water(water);
     }
     return methods;
 }

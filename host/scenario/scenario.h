@@ -3,7 +3,7 @@
 /// radians, with mathematical headings; things of the database are still named.
 ///
 /// In the file headings and azimuths are degrees clockwise from north, speeds knots, lengths metres or feet:
-/// [scenario], [suns.NAME], [[ship]] with [ship.track], [ship.motion], [ship.cam], [[sequence]], [[approach]], [own_ship],
+/// [scenario], [suns.NAME], [[ship]] with [ship.track], [ship.motion], [ship.cam], [ship.water], [[sequence]], [[approach]], [own_ship],
 /// [[channel]], [sea], [sky].
 
 #include "database/model/mathematics.h"
@@ -82,6 +82,17 @@ struct MotionSection {
 enum class ShipLights : std::uint8_t { from_dusk, on, off };
 inline constexpr std::array<const char*, 3> ship_lights_names{"from_dusk", "on", "off"};
 
+/// [ship.water]: what a ship's wakes that are made at frame time are made with.
+struct WaterSection {
+    std::uint32_t kelvin_faces = 4000; ///< reserved
+    double kelvin_age_s = 180.0;       ///< what is older is gone
+    std::uint32_t particle_faces = 4096;
+    double strength = 1.0; ///< factor on the wakes' light and height
+    bool heights = false;  ///< their faces rise and fall
+    double length_m = 160.0;
+    double beam_m = 20.0;
+};
+
 /// A ship's methods. Absent: the slots stay as the database has them (waterline, no wake).
 struct MethodsSection {
     std::optional<Occulting> occulting{};
@@ -95,6 +106,7 @@ struct MethodsSection {
                          0.0}; ///< middle of the port cam's axis in the waterline frame; estimated, LPH-2's
     double cam_axis_rad = radians(24.0); ///< which runs aft and outward, so far off the ship's; estimated
     double cam_period_s = 2.0;           ///< of one roll; estimated
+    WaterSection water{};
 };
 
 struct ShipSection {

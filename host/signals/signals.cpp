@@ -59,6 +59,8 @@ constexpr std::array<SignalDefinition, signal_count> directory{{
     {Signal::record, "record", toggle, 0, 1, 0, "", "packets are written to a recording"},
     {Signal::channel_select, "channel_select", selector, 0, 7, 0, "",
      "channel that the window shows; beyond the scenario's the last"},
+    {Signal::kelvin, "kelvin", toggle, 0, 1, 0, "", "change-over of this wake"},
+    {Signal::wave_particles, "wave_particles", toggle, 0, 1, 0, "", "change-over of this wake"},
 }};
 
 /// What people call some of them who know only one sun and one sea.

@@ -48,8 +48,10 @@ enum class Signal : std::uint8_t {
     ship_way,
     record,
     channel_select,
+    kelvin,
+    wave_particles,
 };
-inline constexpr std::size_t signal_count = 33;
+inline constexpr std::size_t signal_count = 35;
 
 enum class SignalKind : std::uint8_t {
     toggle,   ///< 0 or 1 (a switch)

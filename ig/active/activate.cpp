@@ -76,6 +76,11 @@ void attach(const ObjectList& list, const ClusterPose& pose, FaceBlock& block) {
     }
 }
 
+/// Will faces be made for this list later in the frame?
+bool is_made_later(const FramePacket& packet, std::uint32_t list) {
+    return std::ranges::find(packet.wakes, list, &WakeRequest::list) != packet.wakes.end();
+}
+
 void point_at_database(const VisualDatabase& database, const ObjectList& list, FaceBlock& block) {
     block.vertices = database.vertices;
     block.corners = database.corners;
@@ -105,7 +110,8 @@ void activate(const VisualDatabase& database, const FramePacket& packet, const C
     for (std::uint32_t l = 0; l < database.lists.size(); ++l) {
         const ObjectList& list = database.lists[l];
         const ClusterPose& pose = active.poses[list.cluster];
-        if (!pose.visible || (list.root == none && list.tile == none)) continue;
+        const bool empty = list.root == none && list.tile == none;
+        if (!pose.visible || (empty && !is_made_later(packet, l))) continue;
         FaceBlock block{.list = l, .cluster = list.cluster, .number = list.number};
         attach(list, pose, block);
         light(database, packet, l, block);

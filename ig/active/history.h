@@ -2,6 +2,8 @@
 /// What the image generator remembers from frame to frame. A plain value: copy it, keep it, put it back, and the same
 /// packets give the same pictures again. Everything else that the machine holds follows from packet and database.
 
+#include "ig/active/wake_history.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct History {
     /// for nothing, beyond the last. Empty: no frame yet, or the scene jumped; ranges alone decide then.
     std::vector<std::uint32_t> held_level{};
     LoadState load{};
+    std::vector<WakeTrail> trails{}; ///< of the wakes that the last packet asked for, as the next
+    std::vector<ParticleWake> particle_wakes{};
     bool operator==(const History&) const = default;
 };
 

@@ -3,7 +3,10 @@
 /// knowing what it is.
 ///
 /// All numbers little-endian, 32 bits each: version; number of details; the level held of each; load: step, calm, over,
-/// light step, light calm. Version 1 had no light steps; it is still read.
+/// light step, light calm. Version 1 had no light steps; it is still read. A history with wakes is written as version 3,
+/// one without as version 2. Version 3 goes on with the number of trails, each its list, its number of samples and their
+/// values; and with the number of particles' wakes, each its list, whether it has begun, its own values, its number of
+/// particles and theirs. Values are doubles, the lower half first.
 
 #include "ig/active/history.h"
 

@@ -13,6 +13,7 @@
 #include "ig/scanline/bands.h"
 #include "ig/scanline/scanline.h"
 #include "ig/video/video.h"
+#include "ig/water/make_wakes.h"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -105,6 +106,16 @@ std::string check_normal_updates(const VisualDatabase& database, const FramePack
     return {};
 }
 
+/// The faces of a wake are those of a list that has none. Empty: all is well.
+std::string check_wakes(const VisualDatabase& database, const FramePacket& packet) {
+    for (std::size_t k = 0; k < packet.wakes.size(); ++k) {
+        const ObjectList& list = database.lists[packet.wakes[k].list];
+        if (list.root != none || list.tile != none)
+            return "wakes[" + std::to_string(k) + "].list has faces of its own; expected a list without";
+    }
+    return {};
+}
+
 Colour background_of(const FramePacket& packet) {
     const auto level = [](float value) {
         return static_cast<std::uint8_t>(std::floor(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
@@ -141,6 +152,7 @@ struct Machine::State {
     History history;
     ActiveDatabase active;
     std::vector<Channel> channels;
+    WakeMakers wake_makers;
     LoadCounts load;
     FrameReport report;
     bool intensity_plane = false;
@@ -155,10 +167,22 @@ struct Machine::State {
         stage();
     }
 
+    /// Else the report says why not.
+    bool accepts(const FramePacket& packet) {
+        report.frame = packet.frame;
+        report.errors.clear();
+        std::string refusal = check_packet(packet, limits);
+        if (refusal.empty()) refusal = check_normal_updates(database, packet);
+        if (refusal.empty()) refusal = check_wakes(database, packet);
+        if (!refusal.empty()) report.errors.push_back(std::move(refusal));
+        return report.errors.empty();
+    }
+
     /// The block diagram.
     void draw(const FramePacket& packet) {
         times = {};
         run(&StageTimes::active_s, [&] { activate(database, packet, configuration, history, active); });
+        make_the_water(packet);
         channels.resize(packet.channels.size());
         report.channels.assign(packet.channels.size(), {});
         clear_load();
@@ -200,6 +224,7 @@ struct Machine::State {
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
         draw_bands(packet, channel);
         tell(channel, counts);
+        count_wake_edges(channel);
         counts.most_crossings_on_a_line = most_crossings(channel.edges, raster.lines(), channel.on_line);
         if (configuration.capacity.limited()) add_load(channel, counts);
     }
@@ -221,6 +246,31 @@ struct Machine::State {
         }
         fork_join(arena, static_cast<std::uint32_t>(channel.cut.size()),
                   [&](std::uint32_t p, std::uint32_t /*thread*/) { work(p, channel.parts[p]); });
+    }
+
+    void make_the_water(const FramePacket& packet) {
+        report.wakes.clear();
+        report.wakes_s = 0.0;
+        if (packet.wakes.empty() && history.trails.empty() && history.particle_wakes.empty()) return;
+        {
+            const StageClock clock(&report.wakes_s);
+            arena.execute([&] {
+                follow_wakes(database, packet, wake_makers, history);
+                make_wake_faces(packet, history, wake_makers, active, report.wakes);
+            });
+        }
+        times.water_s = measuring ? report.wakes_s : 0.0;
+    }
+
+    /// The edges of the made faces of one channel.
+    void count_wake_edges(const Channel& channel) {
+        if (report.wakes.empty()) return;
+        for (std::size_t rank = 0; rank < channel.projected.faces.size(); ++rank) {
+            const auto same = std::ranges::find(report.wakes, channel.projected.faces[rank].list, &WakeReport::list);
+            if (same == report.wakes.end()) continue;
+            const EdgeFace& made = channel.edges.faces[rank];
+            same->edges += std::uint64_t{made.leading} + made.trailing;
+        }
     }
 
     void clear_load() {
@@ -305,17 +355,15 @@ Machine::Machine(const VisualDatabase& database, const Configuration& configurat
 Machine::~Machine() = default;
 
 const FrameReport& Machine::frame(const FramePacket& packet) {
-    FrameReport& report = state_->report;
-    report.frame = packet.frame;
-    report.errors.clear();
-    std::string refusal = check_packet(packet, state_->limits);
-    if (refusal.empty()) refusal = check_normal_updates(state_->database, packet);
-    if (refusal.empty()) {
-        state_->draw(packet);
-    } else {
-        report.errors.push_back(refusal);
-    }
-    return report;
+    if (state_->accepts(packet)) state_->draw(packet);
+    return state_->report;
+}
+
+const FrameReport& Machine::follow(const FramePacket& packet) {
+    if (state_->accepts(packet))
+        state_->arena.execute(
+            [&] { follow_wakes(state_->database, packet, state_->wake_makers, state_->history); });
+    return state_->report;
 }
 
 const VideoFrame& Machine::picture(std::size_t channel) const {

@@ -26,6 +26,9 @@ public:
     /// were.
     const FrameReport& frame(const FramePacket& packet) override;
 
+    /// A frame that is not drawn: the water goes on as it would, all else stays as it was. For pictures from the middle of a flight.
+    const FrameReport& follow(const FramePacket& packet);
+
     /// The picture of a channel of the last frame; valid until the next call of frame(). An empty frame if
     /// the channel is off or was never drawn.
     const VideoFrame& picture(std::size_t channel) const;

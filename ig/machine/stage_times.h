@@ -8,6 +8,7 @@ namespace linkdig::ig {
 /// Seconds of the last frame, all channels together. The last two are summed over the threads that draw bands.
 struct StageTimes {
     double active_s = 0.0;
+    double water_s = 0.0; ///< wakes that are made at frame time
     double priority_s = 0.0;
     double geometry_s = 0.0;
     double edges_s = 0.0;

@@ -55,7 +55,11 @@ void for_each_small(const HullTriangle& triangle, double most, int depth, Each e
 
 class Drawing {
 public:
-    explicit Drawing(Silhouette& target) : target_(target), normal_z_(target.filled.size(), 0.0) {}
+    Drawing(Silhouette& target, SilhouetteScratch& scratch)
+        : target_(target), normal_z_(scratch.normal_z), rim_(scratch.rim) {
+        normal_z_.assign(target.filled.size(), 0.0);
+        rim_.assign(target.filled.size(), 0);
+    }
 
     /// Step 1: the highest point in the water over each pixel's middle.
     void fill(const HullTriangle& t) {
@@ -142,34 +146,11 @@ private:
     }
 
     Silhouette& target_;
-    std::vector<double> normal_z_;
-    std::vector<std::uint8_t> rim_ = std::vector<std::uint8_t>(target_.filled.size(), 0);
+    std::vector<double>& normal_z_;
+    std::vector<std::uint8_t>& rim_;
 };
 
-/// The square around the wet part, a pixel wider on each side.
-Silhouette fitted(std::span<const HullTriangle> wet, std::uint32_t size) {
-    constexpr double unbounded = std::numeric_limits<double>::max();
-    Vec2d least(unbounded);
-    Vec2d greatest(-unbounded);
-    for (const HullTriangle& t : wet)
-        for (const Vec3d& corner : t) {
-            least = {std::min(least.x, corner.x), std::min(least.y, corner.y)};
-            greatest = {std::max(greatest.x, corner.x), std::max(greatest.y, corner.y)};
-        }
-    Silhouette silhouette = empty_silhouette(size, 1.0, Vec2d(0.0));
-    if (wet.empty()) return silhouette;
-    const Vec2d extent = greatest - least;
-    const double pixels = static_cast<double>(silhouette.size - 2);
-    silhouette.pixel = std::max({extent.x / pixels, extent.y / pixels, 1e-3});
-    silhouette.origin =
-        0.5 * (least + greatest) - Vec2d(0.5 * silhouette.pixel * static_cast<double>(silhouette.size));
-    return silhouette;
-}
-
-} // namespace
-
-Silhouette empty_silhouette(std::uint32_t size, double pixel, const Vec2d& origin) {
-    Silhouette silhouette;
+void make_empty(std::uint32_t size, double pixel, const Vec2d& origin, Silhouette& silhouette) {
     silhouette.size = 4;
     while (silhouette.size < size && silhouette.size < 64)
         silhouette.size *= 2;
@@ -181,19 +162,54 @@ Silhouette empty_silhouette(std::uint32_t size, double pixel, const Vec2d& origi
     silhouette.depth.assign(count, 0.0);
     silhouette.direct.assign(count, 0.0);
     silhouette.indirect.assign(count, 0.0);
+}
+
+/// The square around the wet part, a pixel wider on each side.
+void fit(std::span<const HullTriangle> wet, std::uint32_t size, Silhouette& silhouette) {
+    constexpr double unbounded = std::numeric_limits<double>::max();
+    Vec2d least(unbounded);
+    Vec2d greatest(-unbounded);
+    for (const HullTriangle& t : wet)
+        for (const Vec3d& corner : t) {
+            least = {std::min(least.x, corner.x), std::min(least.y, corner.y)};
+            greatest = {std::max(greatest.x, corner.x), std::max(greatest.y, corner.y)};
+        }
+    make_empty(size, 1.0, Vec2d(0.0), silhouette);
+    if (wet.empty()) return;
+    const Vec2d extent = greatest - least;
+    const double pixels = static_cast<double>(silhouette.size - 2);
+    silhouette.pixel = std::max({extent.x / pixels, extent.y / pixels, 1e-3});
+    silhouette.origin =
+        0.5 * (least + greatest) - Vec2d(0.5 * silhouette.pixel * static_cast<double>(silhouette.size));
+}
+
+} // namespace
+
+Silhouette empty_silhouette(std::uint32_t size, double pixel, const Vec2d& origin) {
+    Silhouette silhouette;
+    make_empty(size, pixel, origin, silhouette);
     return silhouette;
 }
 
 Silhouette draw_silhouette(std::span<const HullTriangle> hull, const HullMotion& motion, std::uint32_t size) {
-    std::vector<HullTriangle> wet;
+    Silhouette silhouette;
+    SilhouetteScratch scratch;
+    draw_silhouette(hull, motion, size, scratch, silhouette);
+    return silhouette;
+}
+
+void draw_silhouette(std::span<const HullTriangle> hull, const HullMotion& motion, std::uint32_t size,
+                     SilhouetteScratch& scratch, Silhouette& silhouette) {
+    std::vector<HullTriangle>& wet = scratch.wet;
+    wet.clear();
     for (const HullTriangle& triangle : hull) {
         HullTriangle world{};
         for (std::size_t k = 0; k < 3; ++k)
             world[k] = motion.world_from_body * triangle[k] + motion.position;
         cut_at_surface(world, wet);
     }
-    Silhouette silhouette = fitted(wet, size);
-    Drawing drawing(silhouette);
+    fit(wet, size, silhouette);
+    Drawing drawing(silhouette, scratch);
     for (const HullTriangle& triangle : wet)
         drawing.fill(triangle);
     constexpr int most_halvings = 16; // 65,536 pieces of a face: a face of 250 pixels by 250
@@ -214,7 +230,6 @@ Silhouette draw_silhouette(std::span<const HullTriangle> hull, const HullMotion&
             motion.velocity_mps + glm::cross(motion.turn_rate_rad_s, middle - motion.position);
         drawing.add_effect(middle, area, glm::dot(velocity, area));
     });
-    return silhouette;
 }
 
 } // namespace linkdig::ig

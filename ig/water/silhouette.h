@@ -42,4 +42,15 @@ Silhouette empty_silhouette(std::uint32_t size, double pixel, const Vec2d& origi
 /// The part of the hull below the surface, as it floats, on a square that fits it with a pixel to spare all around.
 Silhouette draw_silhouette(std::span<const HullTriangle> hull, const HullMotion& motion, std::uint32_t size);
 
+/// Memory that drawing takes; kept, the next drawing asks for none.
+struct SilhouetteScratch {
+    std::vector<HullTriangle> wet;
+    std::vector<double> normal_z;
+    std::vector<std::uint8_t> rim;
+};
+
+/// The same, into a silhouette that is there.
+void draw_silhouette(std::span<const HullTriangle> hull, const HullMotion& motion, std::uint32_t size,
+                     SilhouetteScratch& scratch, Silhouette& silhouette);
+
 } // namespace linkdig::ig

@@ -10,17 +10,15 @@ namespace {
 
 constexpr std::array<std::array<int, 2>, 4> beside{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-/// One resolution of the pyramid.
-struct Level {
-    std::uint32_t size = 0;
-    std::vector<std::uint8_t> boundary; ///< of the level below, how many of the four; at the lowest 1
-    std::vector<Vec2d> direction;
-    std::vector<double> effect;
+using Level = PyramidLevel;
 
-    explicit Level(std::uint32_t side)
-        : size(side), boundary(std::size_t{side} * side), direction(boundary.size(), Vec2d(0.0)),
-          effect(boundary.size()) {}
-};
+void clear(std::uint32_t side, Level& level) {
+    const std::size_t count = std::size_t{side} * side;
+    level.size = side;
+    level.boundary.assign(count, 0);
+    level.direction.assign(count, Vec2d(0.0));
+    level.effect.assign(count, 0.0);
+}
 
 class Neighbours {
 public:
@@ -40,8 +38,8 @@ private:
 };
 
 /// Step 3: boundary pixels, each with the sum of the ways out.
-Level lowest_level(const Silhouette& silhouette, SilhouetteBoundary kind) {
-    Level level(silhouette.size);
+void find_boundary(const Silhouette& silhouette, SilhouetteBoundary kind, Level& level) {
+    clear(silhouette.size, level);
     level.effect = silhouette.indirect;
     const Neighbours neighbours(silhouette);
     const bool inner = kind == SilhouetteBoundary::inner;
@@ -59,7 +57,6 @@ Level lowest_level(const Silhouette& silhouette, SilhouetteBoundary kind) {
         }
         if (submerged) level.direction[at] = -level.direction[at];
     }
-    return level;
 }
 
 std::size_t parent_of(std::size_t at, std::uint32_t size) {
@@ -67,8 +64,8 @@ std::size_t parent_of(std::size_t at, std::uint32_t size) {
 }
 
 /// Step 4: half the resolution. What a pixel sends up it no longer has.
-Level level_above(Level& below) {
-    Level above(below.size / 2);
+void send_up(Level& below, Level& above) {
+    clear(below.size / 2, above);
     for (std::size_t at = 0; at < below.boundary.size(); ++at) {
         const std::size_t parent = parent_of(at, below.size);
         const double sent = below.boundary[at] != 0 ? 0.5 * below.effect[at] : below.effect[at];
@@ -77,7 +74,6 @@ Level level_above(Level& below) {
         above.direction[parent] += below.direction[at];
         if (below.boundary[at] != 0) ++above.boundary[parent];
     }
-    return above;
 }
 
 /// Step 5: back to the finer one, which takes the mean of both directions and its part of the coarser one's effect.
@@ -108,19 +104,28 @@ double dispersion(const BoundaryWaves& waves, const Neighbours& neighbours, std:
 } // namespace
 
 BoundaryWaves boundary_waves(const Silhouette& silhouette, SilhouetteBoundary kind) {
-    std::vector<Level> levels{lowest_level(silhouette, kind)};
+    std::vector<PyramidLevel> levels;
     BoundaryWaves waves;
+    boundary_waves(silhouette, kind, levels, waves);
+    return waves;
+}
+
+void boundary_waves(const Silhouette& silhouette, SilhouetteBoundary kind, std::vector<PyramidLevel>& levels,
+                    BoundaryWaves& waves) {
+    std::size_t count = 1;
+    for (std::uint32_t size = silhouette.size; size > 1; size /= 2)
+        ++count;
+    levels.resize(count);
+    find_boundary(silhouette, kind, levels.front());
     waves.boundary = levels.front().boundary;
     waves.direct = silhouette.direct;
     waves.indirect = silhouette.indirect;
     waves.direction.assign(waves.boundary.size(), Vec2d(0.0));
     waves.dispersion_rad.assign(waves.boundary.size(), 0.0);
-    if (std::ranges::find(waves.boundary, 1) == waves.boundary.end()) return waves;
+    if (std::ranges::find(waves.boundary, 1) == waves.boundary.end()) return;
 
-    while (levels.back().size > 1) {
-        Level above = level_above(levels.back());
-        levels.push_back(std::move(above));
-    }
+    for (std::size_t k = 1; k < levels.size(); ++k)
+        send_up(levels[k - 1], levels[k]);
     for (std::size_t k = levels.size() - 1; k > 0; --k)
         hand_down(levels[k], levels[k - 1]);
 
@@ -135,7 +140,6 @@ BoundaryWaves boundary_waves(const Silhouette& silhouette, SilhouetteBoundary ki
     const Neighbours neighbours(silhouette);
     for (std::size_t at = 0; at < waves.boundary.size(); ++at)
         if (waves.boundary[at] != 0) waves.dispersion_rad[at] = dispersion(waves, neighbours, at);
-    return waves;
 }
 
 } // namespace linkdig::ig

@@ -26,4 +26,16 @@ struct BoundaryWaves {
 BoundaryWaves boundary_waves(const Silhouette& silhouette,
                              SilhouetteBoundary kind = SilhouetteBoundary::inner);
 
+/// One resolution of the pyramid.
+struct PyramidLevel {
+    std::uint32_t size = 0;
+    std::vector<std::uint8_t> boundary; ///< of the level below, how many of the four; at the lowest 1
+    std::vector<Vec2d> direction;
+    std::vector<double> effect;
+};
+
+/// The same, into waves that are there; `levels`, kept, spare the next call its memory.
+void boundary_waves(const Silhouette& silhouette, SilhouetteBoundary kind, std::vector<PyramidLevel>& levels,
+                    BoundaryWaves& waves);
+
 } // namespace linkdig::ig

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <stdexcept>
 
 namespace linkdig::ig {
 
@@ -83,6 +84,12 @@ double fixed_point(const std::vector<WaveParticle>& particles) {
 }
 
 } // namespace
+
+WaveParticles::WaveParticles(const WaveParticleKind& kind) : kind_(kind) {
+    if (!(kind.speed_mps > 0.0) || !(kind.radius > 0.0) || !(kind.lifetime_s > 0.0))
+        throw std::invalid_argument("wave particles: speed, radius and lifetime must be above 0");
+    particles_.reserve(kind.most);
+}
 
 double WaveParticles::water_of_unit() const {
     // Half the disc, less what the cosine takes: pi r^2 (1/2 - 2 / pi^2).
@@ -208,15 +215,19 @@ void WaveParticles::sort_into_bands(const SurfaceGrid& grid, const Vec2d& corner
     for (const WaveParticle& particle : particles_) {
         const Vec2d at = particle.position() / grid.cell - corner;
         if (!(at.x > -reach && at.y > -reach && at.x < size + reach && at.y < size + reach)) continue;
+        const double grown =
+            particle.travelled < kind_.rise_m ? smooth_step(particle.travelled / kind_.rise_m) : 1.0;
         const auto first = static_cast<std::uint32_t>(std::max(at.y - reach, 0.0)) / band;
         const auto last = static_cast<std::uint32_t>(std::min(at.y + reach, size - 1.0)) / band;
         for (std::uint32_t k = first; k <= last; ++k)
             bands_[k].push_back({static_cast<float>(at.x), static_cast<float>(at.y),
-                                 static_cast<float>(particle.amplitude * one)});
+                                 static_cast<float>(particle.amplitude * grown * one)});
     }
 }
 
 const database::WaveField& WaveParticles::surface(const SurfaceGrid& grid) {
+    if (!(grid.cell > 0.0) || grid.size == 0)
+        throw std::invalid_argument("a surface grid needs cells, and their side must be above 0");
     const double half = 0.5 * static_cast<double>(grid.size);
     const Vec2d corner(std::floor(grid.centre.x / grid.cell - half + 0.5),
                        std::floor(grid.centre.y / grid.cell - half + 0.5)); // in cells

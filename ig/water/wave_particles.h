@@ -2,6 +2,7 @@
 /// Waves as particles (Yuksel, House, Keyser: Wave Particles, SIGGRAPH 2007): each carries a bump of water along at a constant speed.
 
 #include "database/water/wave_field.h"
+#include "ig/active/wake_history.h"
 #include "ig/water/silhouette_pyramid.h"
 
 #include <cstdint>
@@ -9,17 +10,6 @@
 #include <vector>
 
 namespace linkdig::ig {
-
-/// Where it is follows from where it spreads from, which way and how far: no step adds an error to the last.
-struct WaveParticle {
-    Vec2d source{0.0}; ///< the point that it and its neighbours spread from; behind a quay its mirror image
-    Vec2d direction{1.0, 0.0};   ///< unit
-    double travelled = 0.0;      ///< metres from the source
-    double amplitude = 0.0;      ///< metres, negative for a trough
-    double dispersion_rad = 0.0; ///< the angle that it stands for; neighbours are that far apart
-
-    Vec2d position() const { return source + direction * travelled; }
-};
 
 /// A straight wall from which waves come back.
 struct Quay {
@@ -33,6 +23,7 @@ struct WaveParticleKind {
     double radius = 4.0;            ///< of a bump, metres
     double least_amplitude = 0.001; ///< metres; a particle below it is removed
     double lifetime_s = 60.0;       ///< amplitude falls to 1/e in this time
+    double rise_m = 0.0; ///< on its first metres a bump grows to its amplitude, so that none is there at once
     std::uint32_t most = 200'000;   ///< reserved; what would go beyond is not born or not subdivided
 };
 
@@ -54,7 +45,8 @@ struct SurfaceGrid {
 
 class WaveParticles {
 public:
-    explicit WaveParticles(const WaveParticleKind& kind) : kind_(kind) { particles_.reserve(kind.most); }
+    /// Throws std::invalid_argument if speed, radius or lifetime is not above 0.
+    explicit WaveParticles(const WaveParticleKind& kind);
 
     /// One more, if there is room. A null direction becomes +x; amplitudes beyond 1,000 m are cut to that.
     bool add(const WaveParticle& particle, WaveParticleCount& count);
@@ -67,10 +59,16 @@ public:
     void advance(double duration_s, std::span<const Quay> quays, WaveParticleCount& count);
 
     /// The sum of all bumps, in fixed point: the same bytes for any number of threads and any order of particles.
-    /// Holds until the next call, which takes the same memory.
+    /// Holds until the next call, which takes the same memory. Throws std::invalid_argument if the grid's cell is not above 0, or if it
+    /// has none.
     const database::WaveField& surface(const SurfaceGrid& grid);
 
     const std::vector<WaveParticle>& particles() const { return particles_; }
+    /// Exchanges all particles for others, as a history keeps them.
+    void exchange(std::vector<WaveParticle>& particles) {
+        particles_.swap(particles);
+        particles_.reserve(kind_.most);
+    }
     const WaveParticleKind& kind() const { return kind_; }
 
     /// The water in a bump one metre high, m^3.

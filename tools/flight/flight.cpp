@@ -59,6 +59,15 @@ const FrameReport& Flight::draw(std::uint64_t frame, const host::SignalValues& s
     return drawn(packet);
 }
 
+void Flight::lead_in(std::uint64_t frame, const host::SignalValues& signals) {
+    double seconds = 0.0;
+    for (const WakeRequest& wake : loop_.packet(frame, signals).wakes)
+        seconds = std::max(seconds, static_cast<double>(wake.age_s));
+    const auto frames = static_cast<std::uint64_t>(seconds * loop_.update_rate_hz());
+    for (std::uint64_t k = frame - std::min(frame, frames); k < frame; ++k)
+        machine_->follow(loop_.packet(k, signals));
+}
+
 const FrameReport& Flight::resume(const FramePacket& packet, std::span<const std::uint8_t> history) {
     const auto decoded = ig::decode_history(history);
     if (!decoded) throw BadInput("linkdig: error: the saved state's history is none of this program's");

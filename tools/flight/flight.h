@@ -51,6 +51,9 @@ public:
     /// packet.
     const FrameReport& draw(std::uint64_t frame, const host::SignalValues& signals);
 
+    /// Lets the water of the seconds before a frame come about, without drawing it: for pictures from the middle of a flight.
+    void lead_in(std::uint64_t frame, const host::SignalValues& signals);
+
     /// Takes up the flight where a saved one stood: draws its packet; the next frame follows it.
     const FrameReport& resume(const FramePacket& packet, std::span<const std::uint8_t> history);
     /// The packet of a frame, without drawing it.

@@ -68,18 +68,24 @@ void Replay::skip_to(std::uint64_t number) {
     if (number >= packets_)
         throw BadInput(fmt::format("{}: has {} packets; expected 0 to {}", path_, packets_,
                                    packets_ - std::min<std::uint64_t>(packets_, 1)));
-    // Without levels of detail the machine remembers nothing, and there is nothing to be drawn for it.
+    // Without levels of detail and wakes the machine remembers nothing, and there is nothing to be drawn for it.
     const bool remembers = !opened_.database.details.empty();
-    while (at_ < number)
-        remembers ? static_cast<void>(draw()) : next();
+    while (at_ < number) {
+        next();
+        if (remembers || !packet_.wakes.empty()) draw_packet();
+    }
 }
 
 const FramePacket& Replay::draw() {
     next();
+    draw_packet();
+    return packet_;
+}
+
+void Replay::draw_packet() {
     const FrameReport& report = machine_->frame(packet_);
     if (!report.errors.empty())
         throw BadInput(fmt::format("{}: packet {}: {}", path_, at_ - 1, fmt::join(report.errors, "; ")));
-    return packet_;
 }
 
 void Replay::save_state(const std::string& path) {

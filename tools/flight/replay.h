@@ -31,6 +31,7 @@ public:
     const ig::Configuration& configuration() const { return configuration_; }
 
 private:
+    void draw_packet(); ///< the one that was read last
     void next();
 
     std::string path_;

@@ -16,7 +16,8 @@ using host::Wake;
 
 constexpr std::array names{"smooth shading",    "haze",           "ship motion", "turned normals", "box",
                            "fitted box",        "wedges",         "white v",     "blended v",      "cam",
-                           "face substitution", "solid bow wake", "churned"};
+                           "face substitution", "solid bow wake", "churned",
+                           "kelvin wake",       "wave particles"};
 static_assert(names.size() == effect_count);
 
 constexpr double hazy = 0.1;
@@ -34,6 +35,8 @@ std::optional<Wake> wake_of(Effect effect) {
 }
 
 Signal signal_of(Wake wake) {
+    if (wake == Wake::kelvin) return Signal::kelvin;
+    if (wake == Wake::wave_particles) return Signal::wave_particles;
     return static_cast<Signal>(static_cast<int>(Signal::white_v) + static_cast<int>(wake));
 }
 

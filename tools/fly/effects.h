@@ -26,8 +26,10 @@ enum class Effect : std::uint8_t {
     face_substitution,
     solid,
     churned,
+    kelvin,
+    particles,
 };
-inline constexpr std::size_t effect_count = 13;
+inline constexpr std::size_t effect_count = 15;
 
 const char* effect_name(Effect effect);
 

@@ -29,6 +29,15 @@ std::uint64_t edges_of(const FrameReport& report) {
     return edges;
 }
 
+std::string wakes_text(const FrameReport& report, const VisualDatabase& database) {
+    std::string text = fmt::format("wakes {:.2f} ms", 1000.0 * report.wakes_s);
+    for (const WakeReport& wake : report.wakes) {
+        text += fmt::format("  {} {} faces {} edges", database.lists[wake.list].name, wake.faces, wake.edges);
+        if (wake.particles != 0) text += fmt::format(" {} particles", wake.particles);
+    }
+    return text;
+}
+
 } // namespace
 
 double sea_sun_elevation_deg(const VisualDatabase& database, const FramePacket& packet) {
@@ -51,9 +60,9 @@ std::vector<std::string> load_lines(const Flight& flight, const FrameReport& rep
 
 std::string stage_line(const ig::StageTimes& stages) {
     constexpr double ms = 1000.0;
-    return fmt::format("active {:.2f}  priority {:.2f}  geometry {:.2f}  edges {:.2f}  lights {:.2f}  "
+    return fmt::format("active {:.2f}  water {:.2f}  priority {:.2f}  geometry {:.2f}  edges {:.2f}  lights {:.2f}  "
                        "bands {:.2f}  scanline {:.2f}  video {:.2f} ms",
-                       ms * stages.active_s, ms * stages.priority_s, ms * stages.geometry_s,
+                       ms * stages.active_s, ms * stages.water_s, ms * stages.priority_s, ms * stages.geometry_s,
                        ms * stages.edges_s, ms * stages.lights_s, ms * stages.bands_s, ms * stages.scanline_s,
                        ms * stages.video_s);
 }
@@ -103,6 +112,7 @@ std::vector<std::string> status_lines(const VisualDatabase& database, const Fram
     };
     for (std::string& line : overload_text(report.overload))
         lines.push_back(std::move(line));
+    if (!report.wakes.empty()) lines.push_back(wakes_text(report, database));
     return lines;
 }
 

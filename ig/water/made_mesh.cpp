@@ -1,0 +1,85 @@
+#include "ig/water/made_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace linkdig::ig {
+
+namespace {
+
+constexpr std::uint32_t rows_of_a_run = 16;
+constexpr float dark = 0.002F; ///< half a step of an 8-bit colour
+
+void make_square(const MeshRows& mesh, std::uint32_t row, std::uint32_t column, Face face,
+                 ActiveDatabase& active) {
+    const std::uint32_t at = mesh.first_vertex + row * mesh.columns + column;
+    const std::uint32_t corners[4] = {at, at + 1, at + mesh.columns + 1, at + mesh.columns};
+    if (std::ranges::all_of(corners, [&](std::uint32_t c) { return is_dark(active.made_vertices[c]); }))
+        return;
+    face.first_corner = static_cast<std::uint32_t>(active.made_corners.size());
+    active.made_corners.insert(active.made_corners.end(), std::begin(corners), std::end(corners));
+    active.made_faces.push_back(face);
+}
+
+/// Bounding sphere of the rows from `first` to `last`.
+void bound(const MeshRows& mesh, std::uint32_t first, std::uint32_t last, const ActiveDatabase& active,
+           FaceRun& run) {
+    const auto begin =
+        active.made_vertices.begin() + static_cast<std::int64_t>(mesh.first_vertex + first * mesh.columns);
+    const auto end =
+        active.made_vertices.begin() + static_cast<std::int64_t>(mesh.first_vertex + (last + 1) * mesh.columns);
+    Vec3f least(begin->position);
+    Vec3f greatest = least;
+    for (auto vertex = begin; vertex != end; ++vertex) {
+        least = glm::min(least, Vec3f(vertex->position));
+        greatest = glm::max(greatest, Vec3f(vertex->position));
+    }
+    run.centre = 0.5F * (least + greatest);
+    const Vec3f half = 0.5F * (greatest - least);
+    run.radius = 1.001F * std::sqrt(half.x * half.x + half.y * half.y + half.z * half.z) + 0.01F;
+}
+
+} // namespace
+
+Vertex lit_vertex(const Vec2d& position_m, double height_m, const Vec2d& slope, double light) {
+    Vec3d normal(-slope_gain * slope.x, -slope_gain * slope.y, light);
+    const double length = std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
+    if (length > 1.0) normal /= length;
+    return {.position = {static_cast<float>(position_m.x), static_cast<float>(position_m.y),
+                         static_cast<float>(height_m), 1.0F},
+            .normal = Vec3f(normal)};
+}
+
+bool is_dark(const Vertex& vertex) {
+    return std::fabs(vertex.normal.x) + std::fabs(vertex.normal.y) + std::fabs(vertex.normal.z) < dark;
+}
+
+void make_mesh_faces(const MeshRows& mesh, std::uint16_t colour, std::uint32_t object,
+                     ActiveDatabase& active) {
+    const Face face{.corner_count = 4,
+                    .colour = colour,
+                    .object = object,
+                    .shading = Shading::vertex,
+                    .two_sided = 1};
+    for (std::uint32_t first = 0; first + 1 < mesh.rows; first += rows_of_a_run) {
+        const std::uint32_t last = std::min(first + rows_of_a_run, mesh.rows - 1);
+        FaceRun run{.first_face = static_cast<std::uint32_t>(active.made_faces.size())};
+        for (std::uint32_t row = first; row < last; ++row)
+            for (std::uint32_t column = 0; column + 1 < mesh.columns; ++column)
+                make_square(mesh, row, column, face, active);
+        run.face_count = static_cast<std::uint32_t>(active.made_faces.size()) - run.first_face;
+        if (run.face_count == 0) continue;
+        bound(mesh, first, last, active, run);
+        active.made_runs.push_back(run);
+    }
+}
+
+void finish_made_block(std::uint32_t first_run, std::uint32_t block_index, ActiveDatabase& active) {
+    const auto runs = static_cast<std::uint32_t>(active.made_runs.size()) - first_run;
+    if (runs == 0) return;
+    active.made_leaves.push_back({.first_run = first_run, .run_count = runs});
+    active.blocks[block_index].root = leaf_reference(static_cast<std::uint32_t>(active.made_leaves.size() - 1));
+    active.made_faces_of.push_back(block_index);
+}
+
+} // namespace linkdig::ig
