@@ -94,7 +94,9 @@ void HostLoop::point_slots(std::uint64_t frame, const SignalValues& signals) {
         const MovingObject& ship = packet_.moving_objects[ships_[i].row];
         methods_[i].put(ship, signals, frame, packet_);
         methods_[i].roll_cams(ship, signals, frame, packet_);
-        methods_[i].put_made_wakes(signals, ships_[i].track.speed_at(packet_.time_s), packet_);
+        const double speed_mps =
+            signals[Signal::ship_speed] * ships_[i].track.speed_at(way_s(packet_.time_s, signals));
+        methods_[i].put_made_wakes(signals, speed_mps, packet_);
     }
 }
 

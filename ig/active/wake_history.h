@@ -39,7 +39,7 @@ struct WaveParticle {
 
 /// Waves that a hull has made and that are still there.
 struct ParticleWake {
-    std::uint32_t list = 0;  ///< that its faces are made for
+    std::uint32_t list = 0; ///< that its faces are made for
     bool begun = false;
     double time_s = 0.0;     ///< up to which its particles have advanced
     double born_s = 0.0;     ///< when the last ones were born

@@ -32,16 +32,19 @@ void put_value(double value, std::vector<std::uint8_t>& bytes) {
 
 /// The values of a row, in their order in the bytes.
 template <typename Sample>
-requires std::same_as<std::remove_const_t<Sample>, TrackSample> auto values_of(Sample& s) {
+requires std::same_as<std::remove_const_t<Sample>, TrackSample>
+auto values_of(Sample& s) {
     return std::array{&s.time_s, &s.position_m.x, &s.position_m.y, &s.forward.x, &s.forward.y, &s.speed_mps};
 }
 template <typename Particle>
-requires std::same_as<std::remove_const_t<Particle>, WaveParticle> auto values_of(Particle& p) {
+requires std::same_as<std::remove_const_t<Particle>, WaveParticle>
+auto values_of(Particle& p) {
     return std::array{&p.source.x,  &p.source.y,  &p.direction.x,   &p.direction.y,
                       &p.travelled, &p.amplitude, &p.dispersion_rad};
 }
 template <typename Wake>
-requires std::same_as<std::remove_const_t<Wake>, ParticleWake> auto values_of(Wake& w) {
+requires std::same_as<std::remove_const_t<Wake>, ParticleWake>
+auto values_of(Wake& w) {
     return std::array{&w.time_s,       &w.born_s,         &w.position_m.x,   &w.position_m.y,
                       &w.position_m.z, &w.attitude_rad.x, &w.attitude_rad.y, &w.attitude_rad.z};
 }

@@ -266,7 +266,8 @@ struct Machine::State {
     void count_wake_edges(const Channel& channel) {
         if (report.wakes.empty()) return;
         for (std::size_t rank = 0; rank < channel.projected.faces.size(); ++rank) {
-            const auto same = std::ranges::find(report.wakes, channel.projected.faces[rank].list, &WakeReport::list);
+            const auto same =
+                std::ranges::find(report.wakes, channel.projected.faces[rank].list, &WakeReport::list);
             if (same == report.wakes.end()) continue;
             const EdgeFace& made = channel.edges.faces[rank];
             same->edges += std::uint64_t{made.leading} + made.trailing;

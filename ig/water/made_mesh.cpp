@@ -26,8 +26,8 @@ void bound(const MeshRows& mesh, std::uint32_t first, std::uint32_t last, const 
            FaceRun& run) {
     const auto begin =
         active.made_vertices.begin() + static_cast<std::int64_t>(mesh.first_vertex + first * mesh.columns);
-    const auto end =
-        active.made_vertices.begin() + static_cast<std::int64_t>(mesh.first_vertex + (last + 1) * mesh.columns);
+    const auto end = active.made_vertices.begin() +
+                     static_cast<std::int64_t>(mesh.first_vertex + (last + 1) * mesh.columns);
     Vec3f least(begin->position);
     Vec3f greatest = least;
     for (auto vertex = begin; vertex != end; ++vertex) {
@@ -56,11 +56,8 @@ bool is_dark(const Vertex& vertex) {
 
 void make_mesh_faces(const MeshRows& mesh, std::uint16_t colour, std::uint32_t object,
                      ActiveDatabase& active) {
-    const Face face{.corner_count = 4,
-                    .colour = colour,
-                    .object = object,
-                    .shading = Shading::vertex,
-                    .two_sided = 1};
+    const Face face{
+        .corner_count = 4, .colour = colour, .object = object, .shading = Shading::vertex, .two_sided = 1};
     for (std::uint32_t first = 0; first + 1 < mesh.rows; first += rows_of_a_run) {
         const std::uint32_t last = std::min(first + rows_of_a_run, mesh.rows - 1);
         FaceRun run{.first_face = static_cast<std::uint32_t>(active.made_faces.size())};
@@ -78,7 +75,8 @@ void finish_made_block(std::uint32_t first_run, std::uint32_t block_index, Activ
     const auto runs = static_cast<std::uint32_t>(active.made_runs.size()) - first_run;
     if (runs == 0) return;
     active.made_leaves.push_back({.first_run = first_run, .run_count = runs});
-    active.blocks[block_index].root = leaf_reference(static_cast<std::uint32_t>(active.made_leaves.size() - 1));
+    active.blocks[block_index].root =
+        leaf_reference(static_cast<std::uint32_t>(active.made_leaves.size() - 1));
     active.made_faces_of.push_back(block_index);
 }
 

@@ -12,11 +12,13 @@ namespace linkdig::ig {
 namespace {
 
 constexpr double longest_gap_s = 5.0;
-constexpr double grid_lengths = 2.4;  ///< side of the grid, in lengths of the ship
-constexpr double grid_behind = 0.45;  ///< its middle lies so many lengths abaft hers
-constexpr double radius_cells = 2.0;  ///< of a bump: its slopes then reach over four cells
-constexpr double particle_speed = 4.0; ///< m/s; estimated: about half of a ship's, so that her waves form a narrow wedge
-constexpr double slope_part = 0.16; ///< of a sum's slope that is lit: bumps are steeper than the waves they stand for (estimated)
+constexpr double grid_lengths = 2.4; ///< side of the grid, in lengths of the ship
+constexpr double grid_behind = 0.45; ///< its middle lies so many lengths abaft hers
+constexpr double radius_cells = 2.0; ///< of a bump: its slopes then reach over four cells
+constexpr double particle_speed =
+    4.0; ///< m/s; estimated: about half of a ship's, so that her waves form a narrow wedge
+constexpr double slope_part =
+    0.16; ///< of a sum's slope that is lit: bumps are steeper than the waves they stand for (estimated)
 
 double cell_of(const WakeRequest& wake) {
     return grid_lengths * static_cast<double>(wake.length_m) / static_cast<double>(grid_side(wake));
@@ -32,7 +34,9 @@ WaveParticleKind kind_of(const WakeRequest& wake) {
             .most = most_particles};
 }
 
-Vec3d angles(const Attitude& attitude) { return {attitude.heading_rad, attitude.pitch_rad, attitude.roll_rad}; }
+Vec3d angles(const Attitude& attitude) {
+    return {attitude.heading_rad, attitude.pitch_rad, attitude.roll_rad};
+}
 
 /// Angular velocity in the world's axes, of rates of heading, pitch (bow up) and roll (starboard down).
 Vec3d turn_rate(const Attitude& attitude, const Vec3d& rates) {
@@ -88,9 +92,10 @@ bool ParticleWakeMaker::serves(const WakeRequest& wake) const {
 
 void ParticleWakeMaker::give_birth(const MovingObject& ship, double duration_s, const ParticleWake& history) {
     const Vec3d now = angles(ship.attitude);
-    const Vec3d rates = Vec3d(turned_by(history.attitude_rad.x, now.x), turned_by(history.attitude_rad.y, now.y),
-                              turned_by(history.attitude_rad.z, now.z)) /
-                        duration_s;
+    const Vec3d rates =
+        Vec3d(turned_by(history.attitude_rad.x, now.x), turned_by(history.attitude_rad.y, now.y),
+              turned_by(history.attitude_rad.z, now.z)) /
+        duration_s;
     const HullMotion motion{.world_from_body = world_from_body(ship.attitude),
                             .position = ship.position_m,
                             .velocity_mps = (ship.position_m - history.position_m) / duration_s,
@@ -133,7 +138,8 @@ void ParticleWakeMaker::make_faces(const WakeRequest& wake, const FramePacket& p
         Vec2d(ship.waterline_position_m) - forward * (grid_behind * static_cast<double>(wake.length_m));
     const std::uint32_t side = grid_side(wake);
     particles_.exchange(history.particles);
-    const database::WaveField& field = particles_.surface({.size = side, .cell = cell_of(wake), .centre = middle});
+    const database::WaveField& field =
+        particles_.surface({.size = side, .cell = cell_of(wake), .centre = middle});
     particles_.exchange(history.particles);
 
     const auto first_run = static_cast<std::uint32_t>(active.made_runs.size());

@@ -18,7 +18,7 @@ constexpr double gravity_mps2 = 9.80665;
 /// Angles of the waves: the transverse ones between the two edges of the cone, closer together towards them, and the diverging ones
 /// on each side. 35.2644 degrees is acos(sqrt(2/3)), the edge itself, in both.
 constexpr double edge_deg = 35.26438968;
-constexpr std::array transverse_deg{-edge_deg, -32.5, -29.0, -24.0, -18.0, -10.0, 0.0,
+constexpr std::array transverse_deg{-edge_deg, -32.5, -29.0, -24.0, -18.0, -10.0,   0.0,
                                     10.0,      18.0,  24.0,  29.0,  32.5,  edge_deg};
 constexpr std::array diverging_deg{edge_deg, 38.0, 42.0, 48.0, 56.0, 66.0};
 constexpr std::array foam_across{-1.0, -0.5, 0.0, 0.5, 1.0};
@@ -126,7 +126,8 @@ void follow_track(const WakeRequest& wake, const FramePacket& packet, WakeTrail&
     if (gap < track_interval_s) return;
     const std::size_t most = most_samples(wake);
     if (samples.size() >= most)
-        samples.erase(samples.begin(), samples.begin() + static_cast<std::int64_t>(samples.size() - most + 1));
+        samples.erase(samples.begin(),
+                      samples.begin() + static_cast<std::int64_t>(samples.size() - most + 1));
     samples.push_back(now);
 }
 
@@ -135,7 +136,8 @@ TrackSample track_at(const WakeTrail& trail, const TrackSample& now, double age_
     const std::vector<TrackSample>& samples = trail.samples;
     const auto after = std::ranges::upper_bound(samples, time_s, {}, &TrackSample::time_s);
     if (after == samples.begin())
-        return samples.empty() ? before(now, age_s) : before(samples.front(), samples.front().time_s - time_s);
+        return samples.empty() ? before(now, age_s)
+                               : before(samples.front(), samples.front().time_s - time_s);
     return between(*(after - 1), after == samples.end() ? now : *after, time_s);
 }
 
@@ -151,8 +153,8 @@ WakePoint wave_point(const WakeRequest& wake, const WakeTrail& trail, const Trac
     const double phase_of_second = 0.5 * gravity_mps2 / speed;
     const double start = smooth_step(std::clamp(row_s / 4.0, 0.0, 1.0));
     const double spread = 1.0 / std::sqrt(1.0 + row_s / spread_s);
-    const double steep = static_cast<double>(wake.strength) * steepness * weight(u_rad) * at_speed(speed) * start *
-                         spread * fade(wake, row_s) * resolved(phase_of_second * row_step_s);
+    const double steep = static_cast<double>(wake.strength) * steepness * weight(u_rad) * at_speed(speed) *
+                         start * spread * fade(wake, row_s) * resolved(phase_of_second * row_step_s);
     if (steep <= 0.0) return point;
     const SineCosine phase = sine_cosine(phase_of_second * row_s);
     const double wave_number = gravity_mps2 / (speed * speed * u.cosine * u.cosine);
@@ -172,8 +174,8 @@ WakePoint foam_point(const WakeRequest& wake, const WakeTrail& trail, const Trac
     const auto strip = static_cast<std::uint64_t>(across * 2.0 + 2.0);
     const double patches = 0.45 + 0.55 * patchiness(then.time_s * 0.7, 977U * strip + wake.list);
     const double profile = 1.0 - across * across;
-    point.light = static_cast<double>(wake.strength) * foam_light * profile * patches * at_speed(then.speed_mps) *
-                  exponential(-row_s / foam_lasts_s) * fade(wake, row_s);
+    point.light = static_cast<double>(wake.strength) * foam_light * profile * patches *
+                  at_speed(then.speed_mps) * exponential(-row_s / foam_lasts_s) * fade(wake, row_s);
     return point;
 }
 
@@ -183,7 +185,8 @@ namespace {
 
 class TrailMaker {
 public:
-    TrailMaker(const WakeRequest& wake, const WakeTrail& trail, const TrackSample& now, ActiveDatabase& active)
+    TrailMaker(const WakeRequest& wake, const WakeTrail& trail, const TrackSample& now,
+               ActiveDatabase& active)
         : wake_(wake), trail_(trail), now_(now), active_(active), rows_(trail_rows(wake)),
           step_s_(static_cast<double>(wake.age_s) / std::max(1.0, static_cast<double>(rows_))) {}
 

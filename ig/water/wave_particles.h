@@ -24,7 +24,7 @@ struct WaveParticleKind {
     double least_amplitude = 0.001; ///< metres; a particle below it is removed
     double lifetime_s = 60.0;       ///< amplitude falls to 1/e in this time
     double rise_m = 0.0; ///< on its first metres a bump grows to its amplitude, so that none is there at once
-    std::uint32_t most = 200'000;   ///< reserved; what would go beyond is not born or not subdivided
+    std::uint32_t most = 200'000; ///< reserved; what would go beyond is not born or not subdivided
 };
 
 /// What became of particles in one frame.
