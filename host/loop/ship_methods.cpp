@@ -122,20 +122,19 @@ void ShipMethods::put_made_wakes(const SignalValues& signals, double speed_mps, 
     const auto ask = [&](Wake wake, WakeMethod method, const std::optional<std::uint32_t>& list,
                          std::uint32_t faces) {
         if (!shows(wake, signals)) return;
-        packet.wakes.push_back({.list = *list,
-                                .moving_object = *slots_.moving_object,
-                                .method = method,
-                                .heights = water.heights,
-                                .colour = *slots_.wake_light,
-                                .most_faces = faces,
-                                .age_s = static_cast<float>(water.kelvin_age_s),
-                                .strength = static_cast<float>(water.strength),
-                                .speed_mps = static_cast<float>(speed_mps),
-                                .length_m = static_cast<float>(water.length_m),
-                                .beam_m = static_cast<float>(water.beam_m),
-                                .hull = method == WakeMethod::wave_particles
-                                            ? static_cast<std::int32_t>(*slots_.hull)
-                                            : none});
+        packet.wakes.push_back(
+            {.list = *list,
+             .moving_object = *slots_.moving_object,
+             .method = method,
+             .heights = water.heights,
+             .colour = *slots_.wake_light,
+             .most_faces = faces,
+             .age_s = static_cast<float>(water.kelvin_age_s),
+             .strength = static_cast<float>(water.strength),
+             .speed_mps = static_cast<float>(speed_mps),
+             .length_m = static_cast<float>(water.length_m),
+             .beam_m = static_cast<float>(water.beam_m),
+             .hull = method == WakeMethod::wave_particles ? static_cast<std::int32_t>(*slots_.hull) : none});
     };
     ask(Wake::kelvin, WakeMethod::kelvin, slots_.kelvin, water.kelvin_faces);
     ask(Wake::wave_particles, WakeMethod::wave_particles, slots_.wave_particles, water.particle_faces);

@@ -219,12 +219,11 @@ std::string check_wake(const FramePacket& packet, std::size_t i, const PacketLim
         std::string_view member;
         double value, least, greatest;
     };
-    for (const Bound& bound : {Bound{"most_faces", static_cast<double>(wake.most_faces), 0.0, most_wake_faces},
-                               Bound{"age_s", wake.age_s, 1.0, most_wake_age_s},
-                               Bound{"strength", wake.strength, 0.0, 10.0},
-                               Bound{"speed_mps", wake.speed_mps, -100.0, 100.0},
-                               Bound{"length_m", wake.length_m, 1.0, 1000.0},
-                               Bound{"beam_m", wake.beam_m, 0.1, 1000.0}})
+    for (const Bound& bound :
+         {Bound{"most_faces", static_cast<double>(wake.most_faces), 0.0, most_wake_faces},
+          Bound{"age_s", wake.age_s, 1.0, most_wake_age_s}, Bound{"strength", wake.strength, 0.0, 10.0},
+          Bound{"speed_mps", wake.speed_mps, -100.0, 100.0}, Bound{"length_m", wake.length_m, 1.0, 1000.0},
+          Bound{"beam_m", wake.beam_m, 0.1, 1000.0}})
         if (reason.empty())
             reason = check_range({table, i, bound.member}, bound.value, bound.least, bound.greatest);
     return reason;
@@ -284,8 +283,7 @@ PacketLimits packet_limits(const VisualDatabase& database, std::uint64_t databas
 std::string check_packet(const FramePacket& packet, const PacketLimits& limits) {
     for (const auto& check :
          {check_channels, check_suns, check_lighting, check_moving_objects, check_substitutions,
-          check_normal_updates, check_priorities, check_host_values, check_wakes,
-          check_environment})
+          check_normal_updates, check_priorities, check_host_values, check_wakes, check_environment})
         if (std::string reason = check(packet, limits); !reason.empty()) return reason;
     return {};
 }

@@ -63,8 +63,8 @@ struct FrameReport {
     };
     std::vector<FieldDelay> fields;
     Overload overload;
-    std::vector<WakeReport> wakes; ///< parallel to the packet's
-    double wakes_s = 0.0; ///< what making them took, measured; nothing is decided by it
+    std::vector<WakeReport> wakes;   ///< parallel to the packet's
+    double wakes_s = 0.0;            ///< what making them took, measured; nothing is decided by it
     std::uint64_t overruns = 0;      ///< set by the host's frame clock
     std::vector<std::string> errors; ///< a refused packet says why here; its picture is the frame before
 };

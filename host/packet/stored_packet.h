@@ -74,10 +74,10 @@ inline stored::HostValue to_stored(const HostValue& h) { return {h.value, h.inde
 inline HostValue from_stored(const stored::HostValue& h) { return {h.index(), h.value()}; }
 
 inline stored::WakeRequest to_stored(const WakeRequest& w) {
-    return {w.list,        w.moving_object, static_cast<std::uint32_t>(w.method),
-            w.colour,      w.most_faces,    w.age_s,
-            w.strength,    w.speed_mps,     w.length_m,
-            w.beam_m,      w.hull,          w.heights};
+    return {w.list,     w.moving_object, static_cast<std::uint32_t>(w.method),
+            w.colour,   w.most_faces,    w.age_s,
+            w.strength, w.speed_mps,     w.length_m,
+            w.beam_m,   w.hull,          w.heights};
 }
 /// A method that is no byte becomes 255, which check_packet() refuses.
 inline WakeRequest from_stored(const stored::WakeRequest& w) {

@@ -29,9 +29,8 @@ enum class Wake : std::uint8_t {
     kelvin,            ///< made at frame time of her last minutes' track
     wave_particles,    ///< made at frame time of what her hull does to the water
 };
-inline constexpr std::array wake_names{"white_v",           "blended_v", "cam",
-                                       "face_substitution", "solid",     "churned",
-                                       "kelvin",            "wave_particles"};
+inline constexpr std::array wake_names{"white_v", "blended_v", "cam",    "face_substitution",
+                                       "solid",   "churned",   "kelvin", "wave_particles"};
 inline constexpr std::size_t wake_count = wake_names.size();
 using Wakes = std::array<bool, wake_count>;
 

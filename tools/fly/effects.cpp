@@ -14,10 +14,10 @@ using host::Signal;
 using host::SignalValues;
 using host::Wake;
 
-constexpr std::array names{"smooth shading",    "haze",           "ship motion", "turned normals", "box",
-                           "fitted box",        "wedges",         "white v",     "blended v",      "cam",
-                           "face substitution", "solid bow wake", "churned",
-                           "kelvin wake",       "wave particles"};
+constexpr std::array names{
+    "smooth shading",    "haze",           "ship motion", "turned normals", "box",
+    "fitted box",        "wedges",         "white v",     "blended v",      "cam",
+    "face substitution", "solid bow wake", "churned",     "kelvin wake",    "wave particles"};
 static_assert(names.size() == effect_count);
 
 constexpr double hazy = 0.1;

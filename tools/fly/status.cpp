@@ -60,11 +60,12 @@ std::vector<std::string> load_lines(const Flight& flight, const FrameReport& rep
 
 std::string stage_line(const ig::StageTimes& stages) {
     constexpr double ms = 1000.0;
-    return fmt::format("active {:.2f}  water {:.2f}  priority {:.2f}  geometry {:.2f}  edges {:.2f}  lights {:.2f}  "
-                       "bands {:.2f}  scanline {:.2f}  video {:.2f} ms",
-                       ms * stages.active_s, ms * stages.water_s, ms * stages.priority_s, ms * stages.geometry_s,
-                       ms * stages.edges_s, ms * stages.lights_s, ms * stages.bands_s, ms * stages.scanline_s,
-                       ms * stages.video_s);
+    return fmt::format(
+        "active {:.2f}  water {:.2f}  priority {:.2f}  geometry {:.2f}  edges {:.2f}  lights {:.2f}  "
+        "bands {:.2f}  scanline {:.2f}  video {:.2f} ms",
+        ms * stages.active_s, ms * stages.water_s, ms * stages.priority_s, ms * stages.geometry_s,
+        ms * stages.edges_s, ms * stages.lights_s, ms * stages.bands_s, ms * stages.scanline_s,
+        ms * stages.video_s);
 }
 
 std::vector<std::string> method_lines(const host::HostLoop& loop, const host::SignalValues& signals) {
