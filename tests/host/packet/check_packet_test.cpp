@@ -159,6 +159,29 @@ TEST(CheckPacket, HostValues) {
     });
 }
 
+TEST(CheckPacket, Wakes) {
+    expect_told({
+        {"wakes[0].list is 3, but the database has 3 lists", [](auto& p) { p.wakes[0].list = 3; }},
+        {"wakes[1].list is 1, as wakes[0].list is", [](auto& p) { p.wakes[1].list = 1; }},
+        {"wakes[1].moving_object is 7, but the database has 1 moving objects",
+         [](auto& p) { p.wakes[1].moving_object = 7; }},
+        {"wakes[0].method is none of kelvin, wave_particles",
+         [](auto& p) { p.wakes[0].method = static_cast<WakeMethod>(2); }},
+        {"wakes[0].colour is 2, but the database has 2 colours", [](auto& p) { p.wakes[0].colour = 2; }},
+        {"wakes[0].most_faces is 4294967295; expected 0 to 100000",
+         [](auto& p) { p.wakes[0].most_faces = ~0U; }},
+        {"wakes[0].age_s is not finite", [](auto& p) { p.wakes[0].age_s = nan; }},
+        {"wakes[0].strength is -1; expected 0 to 10", [](auto& p) { p.wakes[0].strength = -1.0F; }},
+        {"wakes[0].speed_mps is not finite",
+         [](auto& p) { p.wakes[0].speed_mps = static_cast<float>(infinity); }},
+        {"wakes[1].length_m is 0; expected 1 to 1000", [](auto& p) { p.wakes[1].length_m = 0.0F; }},
+        {"wakes[1].beam_m is not finite", [](auto& p) { p.wakes[1].beam_m = nan; }},
+        {"wakes[1].hull is -1, but the database has 3 lists", [](auto& p) { p.wakes[1].hull = none; }},
+        {"wakes[0].hull is 3, but the database has 3 lists", [](auto& p) { p.wakes[0].hull = 3; }},
+        {"", [](auto& p) { p.wakes[0].speed_mps = 0.0F; }}, // she lies still
+    });
+}
+
 TEST(PacketLimits, AreTheSizesOfTheDatabasesTables) {
     VisualDatabase database;
     database.suns = {"a", "b", "c"};

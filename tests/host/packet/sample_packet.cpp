@@ -41,6 +41,10 @@ public:
         add(p.sea.state, p.sea.current_east_mps, p.sea.current_north_mps, p.light_points, p.colours.size());
         for (const Colour& c : p.colours)
             add(c.red, c.green, c.blue);
+        add(p.wakes.size());
+        for (const WakeRequest& w : p.wakes)
+            add(w.list, w.moving_object, static_cast<int>(w.method), w.heights, w.colour, w.most_faces,
+                w.age_s, w.strength, w.speed_mps, w.length_m, w.beam_m, w.hull);
     }
     std::vector<std::uint64_t> bits;
 
@@ -103,6 +107,17 @@ FramePacket sample_packet() {
     p.light_points = 0.75F;
     p.priorities = {{.cluster = 1, .number = -3}, {.cluster = 0, .number = 21}};
     p.host_values = {{.index = 3, .value = -0.0}, {.index = 1000, .value = 1e-300}};
+    p.wakes = {{.list = 1,
+                .moving_object = 0,
+                .heights = true,
+                .colour = 1,
+                .most_faces = 777,
+                .age_s = 33.3F,
+                .strength = 0.1F,
+                .speed_mps = -2.5F,
+                .length_m = 171.5F,
+                .beam_m = 17.1F},
+               {.list = 2, .method = WakeMethod::wave_particles, .hull = 0}};
     return p;
 }
 
