@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace linkdig::ig {
 
@@ -24,15 +25,14 @@ void make_square(const MeshRows& mesh, std::uint32_t row, std::uint32_t column, 
 /// Bounding sphere of the rows from `first` to `last`.
 void bound(const MeshRows& mesh, std::uint32_t first, std::uint32_t last, const ActiveDatabase& active,
            FaceRun& run) {
-    const auto begin =
-        active.made_vertices.begin() + static_cast<std::int64_t>(mesh.first_vertex + first * mesh.columns);
-    const auto end = active.made_vertices.begin() +
-                     static_cast<std::int64_t>(mesh.first_vertex + (last + 1) * mesh.columns);
-    Vec3f least(begin->position);
+    const auto vertices = std::span<const Vertex>(active.made_vertices)
+                              .subspan(mesh.first_vertex + std::size_t{first} * mesh.columns,
+                                       (std::size_t{last} - first + 1) * mesh.columns);
+    Vec3f least(vertices.front().position);
     Vec3f greatest = least;
-    for (auto vertex = begin; vertex != end; ++vertex) {
-        least = glm::min(least, Vec3f(vertex->position));
-        greatest = glm::max(greatest, Vec3f(vertex->position));
+    for (const Vertex& vertex : vertices) {
+        least = glm::min(least, Vec3f(vertex.position));
+        greatest = glm::max(greatest, Vec3f(vertex.position));
     }
     run.centre = 0.5F * (least + greatest);
     const Vec3f half = 0.5F * (greatest - least);
