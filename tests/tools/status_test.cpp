@@ -35,9 +35,10 @@ TEST(Status, TellsFrameTimeEdgesAndOverruns) {
 
 TEST(Status, TellsWhatEachStageTook) {
     const ig::StageTimes stages = {
-        .active_s = 0.0001, .geometry_s = 0.00125, .scanline_s = 0.012, .video_s = 1e-6};
-    EXPECT_EQ(stage_line(stages), "active 0.10  priority 0.00  geometry 1.25  edges 0.00  lights 0.00  "
-                                  "bands 0.00  scanline 12.00  video 0.00 ms");
+        .active_s = 0.0001, .water_s = 0.0005, .geometry_s = 0.00125, .scanline_s = 0.012, .video_s = 1e-6};
+    EXPECT_EQ(stage_line(stages),
+              "active 0.10  water 0.50  priority 0.00  geometry 1.25  edges 0.00  lights 0.00  "
+              "bands 0.00  scanline 12.00  video 0.00 ms");
 }
 
 TEST(Status, TheSunIsThatOfTheSeasList) {
