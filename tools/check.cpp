@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,8 +56,11 @@ void print_text(const CheckOptions& options, const CheckRequest& request, const 
         fmt::print("undecided {} pairs of clusters that no plane parts\n", result.ambiguous);
     for (std::size_t i = 0; i < request.exceptions.size(); ++i) {
         const DesignException& exception = request.exceptions[i];
-        fmt::print("excepted  {} pixels: {} in front of {}: {}\n", result.excepted[i],
-                   fmt::join(exception.front_names, ", "), fmt::join(exception.behind_names, ", "),
+        const std::string limit = std::isfinite(exception.by_at_most_m)
+                                      ? fmt::format(" by at most {} m", exception.by_at_most_m)
+                                      : std::string();
+        fmt::print("excepted  {} pixels: {} in front of {}{}: {}\n", result.excepted[i],
+                   fmt::join(exception.front_names, ", "), fmt::join(exception.behind_names, ", "), limit,
                    exception.reason);
     }
     for (const Finding& finding : result.findings) {
@@ -104,6 +108,7 @@ void print_json(const CheckOptions& options, const CheckRequest& request, const 
     for (std::size_t i = 0; i < request.exceptions.size(); ++i)
         json["exceptions"].push_back({{"front", request.exceptions[i].front_names},
                                       {"behind", request.exceptions[i].behind_names},
+                                      {"by_at_most_m", request.exceptions[i].by_at_most_m}, // null: no limit
                                       {"reason", request.exceptions[i].reason},
                                       {"pixels", result.excepted[i]}});
     for (const Finding& finding : result.findings)

@@ -5,33 +5,11 @@
 #include "host/loop/host_loop.h"
 #include "host/scenario/scenario.h"
 #include "ig/machine/machine.h"
+#include "tests/support/allocation_count.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <vector>
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-void* allocated(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size != 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-
-} // namespace
-
-// The whole test program counts; what its memory is taken from stays as it is.
-void* operator new(std::size_t size) { return allocated(size); }
-void* operator new[](std::size_t size) { return allocated(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace linkdig::ig {
 namespace {
@@ -57,22 +35,22 @@ ShippedFlight shipped_flight(float visibility_m) {
     return flight;
 }
 
-std::size_t allocations_of(const ShippedFlight& flight, const Configuration& configuration) {
+std::uint64_t allocations_of(const ShippedFlight& flight, const Configuration& configuration) {
     Machine machine(flight.database, configuration);
     for (int round = 0; round < 2; ++round)
         for (const FramePacket& packet : flight.packets)
             machine.frame(packet);
-    const std::size_t before = allocations;
+    const std::uint64_t before = allocations();
     for (const FramePacket& packet : flight.packets)
         machine.frame(packet);
-    return allocations - before;
+    return allocations() - before;
 }
 
 TEST(Allocation, CountsWhatIsAllocated) {
-    const std::size_t before = allocations;
+    const std::uint64_t before = allocations();
     std::vector<int> some(1000);
     EXPECT_EQ(some.size(), 1000U);
-    EXPECT_EQ(allocations - before, 1U);
+    EXPECT_EQ(allocations() - before, 1U);
 }
 
 TEST(Allocation, NoneAfterWarmUp) {

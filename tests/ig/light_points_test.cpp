@@ -1,6 +1,5 @@
 // Light points: a splat's total is constant, faces in front hide it, beams and flashes follow their definitions.
 
-#include "tests/host/loop/allocation_count.h"
 #include "tests/ig/small_database.h"
 
 #include "database/model/mathematics.h"

@@ -7,6 +7,7 @@
 #include "tests/database/compiler/authored.h"
 #include "tools/flight/bad_input.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -118,6 +119,27 @@ TEST(Check, WhatDiffersByDesignIsCountedAndNotWrong) {
     EXPECT_EQ(result.wrong, 0U);
     ASSERT_EQ(result.excepted.size(), 1U);
     EXPECT_GT(result.excepted[0], 100U);
+}
+
+/// An exception that reaches only so far: what is farther than that behind the nearer face stays wrong.
+TEST(Check, AnExceptionMayHaveALimit) {
+    const VisualDatabase database = compiled(yard("1", "2", ""));
+    const database::ScratchFolder folder;
+    const auto wrong_with = [&](double by_at_most_m) {
+        CheckRequest request = small_request(24);
+        request.exceptions = read_exceptions(
+            folder.write("check.toml", fmt::format("[[exception]]\nfront = [\"shed\"]\nbehind = [\"tower\"]\n"
+                                                   "by_at_most_m = {}\nreason = \"it is drawn last\"\n",
+                                                   by_at_most_m)),
+            database);
+        const CheckResult result = check_database(database, request);
+        for (const Finding& finding : result.findings)
+            EXPECT_GT(finding.nearer_by_m, by_at_most_m);
+        return result.wrong;
+    };
+    EXPECT_GT(wrong_with(0.0), wrong_with(20.0));
+    EXPECT_GT(wrong_with(20.0), 0U);
+    EXPECT_EQ(wrong_with(1000.0), 0U);
 }
 
 TEST(Check, AManifestThatNamesNothingIsRefused) {

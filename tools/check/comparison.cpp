@@ -81,8 +81,8 @@ private:
         std::int32_t first = none;
         std::erase_if(hits_, [&](const CastHit& hit) {
             if (hit.face == shown || hit.range_m >= range_m) return false;
-            const std::int32_t excuse =
-                exception_for(exceptions_, scene_.faces[shown].list, scene_.faces[hit.face].list);
+            const std::int32_t excuse = exception_for(exceptions_, scene_.faces[shown].list,
+                                                      scene_.faces[hit.face].list, range_m - hit.range_m);
             if (first == none) first = excuse;
             return excuse != none;
         });

@@ -51,6 +51,7 @@ std::vector<DesignException> read_exceptions(const std::string& path, const Visu
             made.front_names = reader.texts("front");
             made.behind_names = reader.texts("behind");
             made.reason = reader.text("reason");
+            made.by_at_most_m = reader.length_m("by_at_most", made.by_at_most_m, {.least = 0.0});
             made.front = lists_named(reader, "front", made.front_names, database);
             made.behind = lists_named(reader, "behind", made.behind_names, database);
             reader.finish();
@@ -68,9 +69,11 @@ std::string manifest_beside(const std::string& database_path) {
 }
 
 std::int32_t exception_for(const std::vector<DesignException>& exceptions, std::uint32_t front,
-                           std::uint32_t behind) {
+                           std::uint32_t behind, double nearer_by_m) {
     for (std::size_t i = 0; i < exceptions.size(); ++i)
-        if (exceptions[i].front[front] && exceptions[i].behind[behind]) return static_cast<std::int32_t>(i);
+        if (exceptions[i].front[front] && exceptions[i].behind[behind] &&
+            nearer_by_m <= exceptions[i].by_at_most_m)
+            return static_cast<std::int32_t>(i);
     return none;
 }
 

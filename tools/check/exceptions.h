@@ -4,16 +4,18 @@
 #include "database/model/visual_database.h"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace linkdig::tools {
 
-/// A face of one of the lists `front` may be seen though one of the lists `behind` is nearer.
+/// A face of one of the lists `front` may be seen though one of the lists `behind` is nearer, by at most so much.
 struct DesignException {
     std::vector<std::string> front_names; ///< as written: object lists or clusters
     std::vector<std::string> behind_names;
     std::string reason;
+    double by_at_most_m = std::numeric_limits<double>::infinity();
     std::vector<bool> front; ///< parallel to VisualDatabase::lists
     std::vector<bool> behind;
 };
@@ -24,8 +26,8 @@ std::vector<DesignException> read_exceptions(const std::string& path, const Visu
 /// The manifest beside a database, or nothing if none stands there.
 std::string manifest_beside(const std::string& database_path);
 
-/// The exception by which `front` may be seen though `behind` is nearer, or none.
+/// The exception by which `front` may be seen though `behind` is `nearer_by_m` nearer, or none.
 std::int32_t exception_for(const std::vector<DesignException>& exceptions, std::uint32_t front,
-                           std::uint32_t behind);
+                           std::uint32_t behind, double nearer_by_m);
 
 } // namespace linkdig::tools

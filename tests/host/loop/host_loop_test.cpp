@@ -1,8 +1,8 @@
 #include "host/loop/host_loop.h"
 
 #include "host/packet/check_packet.h"
-#include "tests/host/loop/allocation_count.h"
 #include "tests/host/loop/first_flight.h"
+#include "tests/support/allocation_count.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

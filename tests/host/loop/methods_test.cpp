@@ -3,7 +3,7 @@
 #include "host/loop/host_loop.h"
 #include "host/loop/host_values.h"
 #include "host/packet/packet_bytes.h"
-#include "tests/host/loop/allocation_count.h"
+#include "tests/support/allocation_count.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
