@@ -15,9 +15,6 @@ constexpr std::int64_t half_pixel = std::int64_t{1} << (crossing_bits - 1);
 /// exact "ceiling".
 constexpr std::int64_t tie = std::int64_t{1} << (crossing_bits - 34);
 
-/// First line whose centre is at or below `coordinate` (1/256 pixel).
-std::int32_t first_line_at(std::int32_t coordinate) { return (coordinate + 127) >> 8; }
-
 /// dividend / divisor in units of 2^-40, rounded down. |dividend| < 2^49, 0 < divisor < 2^24. Double holds both, and divides
 /// faster than whole numbers do. A quotient that is not whole is at least 1 / divisor from whole numbers: the first one is off
 /// by a sixteenth of that at most; the second may be rounded up to a whole number, which the remainder tells.

@@ -33,29 +33,34 @@ Vec3d normal_of(std::span<const ClipPoint> polygon, const ClipPoint& base) {
     return best;
 }
 
+/// Greatest distance between two corners; of many corners a bound, twice the greatest from the first.
+double size_of(std::span<const ClipPoint> polygon) {
+    constexpr std::size_t few = 4;
+    const bool many = polygon.size() > few;
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < (many ? 1 : polygon.size()); ++i) {
+        for (std::size_t k = i + 1; k < polygon.size(); ++k) {
+            const Vec3d apart = position(polygon[k]) - position(polygon[i]);
+            greatest = std::max(greatest, glm::dot(apart, apart));
+        }
+    }
+    return (many ? 2.0 : 1.0) * std::sqrt(greatest);
+}
+
 /// Bounds of the range over the face: corners are farthest; nothing is nearer than the plane, nor than the farthest
 /// corner less the face's size.
 void bound_range(std::span<const ClipPoint> polygon, double plane_distance_m, DepthPlane& plane) {
     double farthest = 0.0;
-    double size = 0.0;
     for (const ClipPoint& p : polygon) {
         if (p.w == 0.0) {
             plane.nearest_m = plane_distance_m;
             plane.farthest_m = std::numeric_limits<double>::infinity();
             return;
         }
-        farthest = std::max(farthest, glm::length(position(p)));
-        for (const ClipPoint& q : polygon)
-            size = std::max(size, glm::length(position(p) - position(q)));
-        if (size > farthest) break; // already no better than the plane
+        farthest = std::max(farthest, glm::dot(position(p), position(p)));
     }
-    plane.farthest_m = farthest;
-    plane.nearest_m = std::max(plane_distance_m, farthest - size);
-    if (size > farthest) {
-        for (const ClipPoint& p : polygon)
-            plane.farthest_m = std::max(plane.farthest_m, glm::length(position(p)));
-        plane.nearest_m = plane_distance_m;
-    }
+    plane.farthest_m = std::sqrt(farthest);
+    plane.nearest_m = std::max(plane_distance_m, plane.farthest_m - size_of(polygon));
 }
 
 } // namespace

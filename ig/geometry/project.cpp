@@ -32,12 +32,15 @@ constexpr ClipPlane near_plane{.c = 1.0, .e = least_forward - near_plane_m, .con
 /// To the nearest whole number. |value| < 2^62.
 double snap(double value) { return static_cast<double>(floor_of(value + 0.5)); }
 
+/// Of a face's depth plane: not made yet.
+constexpr std::int32_t wanted = -2;
+
 class Projector {
 public:
-    Projector(const ActiveDatabase& active, const ChannelView& channel, const Raster& raster, bool with_depth,
-              GeometryScratch& scratch, ProjectedFaces& projected)
+    Projector(const ActiveDatabase& active, const ChannelView& channel, const Raster& raster,
+              const GeometryNeeds& needs, GeometryScratch& scratch, ProjectedFaces& projected)
         : active_(active), view_(view_of(channel, raster)), lights_(active, view_, raster, projected),
-          with_depth_(with_depth), scratch_(scratch), out_(projected),
+          needs_(needs), scratch_(scratch), out_(projected),
           last_line_(256 * static_cast<std::int32_t>(raster.lines())),
           last_element_(256 * static_cast<std::int32_t>(raster.elements())) {
         side_length_[0] = std::sqrt(1.0 + view_.left * view_.left);
@@ -174,10 +177,17 @@ private:
         colour_ = block_->colour == none ? face.colour : static_cast<std::uint16_t>(block_->colour);
         const std::uint32_t* corners = block_->corners.data() + face.first_corner;
         std::uint8_t all = 0xff;
-        for (std::uint32_t k = 0; k < face.corner_count; ++k)
-            all &= see(corners[k]).outside;
+        std::uint8_t any = 0;
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            const std::uint8_t sides = see(corners[k]).outside;
+            all &= sides;
+            any |= sides;
+        }
         if ((all & frustum_sides) != 0) return;
-        depth_ = with_depth_ && !block_->at_eye ? put_depth(corners, face.corner_count) : -1;
+        if (!needs_.low_faces && (any & (before_near | guard)) == 0 &&
+            between_lines(corners, face.corner_count))
+            return;
+        depth_ = needs_.depth && !block_->at_eye ? wanted : -1;
         if (face.coloured != 0 && block_->colour == none && !block_->corner_colours.empty()) {
             put_coloured(face, corners);
         } else if (face.shading == Shading::vertex && block_->smooth) {
@@ -188,11 +198,21 @@ private:
         }
     }
 
-    std::int32_t put_depth(const std::uint32_t* corners, std::uint32_t count) {
-        scratch_.polygon.clear();
-        for (std::uint32_t k = 0; k < count; ++k)
-            scratch_.polygon.push_back(see(corners[k]).point);
-        out_.depths.push_back(depth_plane(view_, scratch_.polygon));
+    /// No line's centre lies between the corners: far faces are often too low for any.
+    bool between_lines(const std::uint32_t* corners, std::uint32_t count) {
+        const std::int32_t line = first_line_at(see(corners[0]).snapped.line);
+        for (std::uint32_t k = 1; k < count; ++k)
+            if (first_line_at(see(corners[k]).snapped.line) != line) return false;
+        return true;
+    }
+
+    /// Of the whole face, when the first of its pieces is put out: what turns out not to be seen needs none.
+    std::int32_t put_depth() {
+        const Face& face = block_->faces[face_index_];
+        scratch_.whole.clear();
+        for (std::uint32_t k = 0; k < face.corner_count; ++k)
+            scratch_.whole.push_back(see(block_->corners[face.first_corner + k]).point);
+        out_.depths.push_back(depth_plane(view_, scratch_.whole));
         return static_cast<std::int32_t>(out_.depths.size() - 1);
     }
 
@@ -428,6 +448,7 @@ private:
 
     /// Written where it stays: a copy of what has just been written in parts waits for all of them.
     void put_out(std::size_t first, std::size_t count, std::int32_t triangle, std::int32_t intensity) {
+        if (depth_ == wanted) depth_ = put_depth();
         ProjectedFace& face = out_.faces.emplace_back();
         face.first_point = static_cast<std::uint32_t>(first);
         face.point_count = static_cast<std::uint16_t>(count);
@@ -447,7 +468,7 @@ private:
     const ActiveDatabase& active_;
     View view_;
     LightProjector lights_;
-    bool with_depth_;
+    GeometryNeeds needs_;
     GeometryScratch& scratch_;
     ProjectedFaces& out_;
     std::int32_t last_line_;
@@ -459,7 +480,7 @@ private:
     Mat3d channel_from_list_{1.0};
     Vec3d origin_{0}; ///< of the list, channel frame
     std::uint32_t face_index_ = 0;
-    std::int32_t depth_ = -1;
+    std::int32_t depth_ = -1;      ///< or wanted, until a piece of the face is put out
     std::int32_t added_to_ = none; ///< of the block's list
     std::uint16_t colour_ = 0;
     std::uint16_t opacity_ = opaque;
@@ -479,8 +500,8 @@ std::int32_t lit_intensity(const FaceBlock& block, const Vec3f& normal) {
 }
 
 void project(const ActiveDatabase& active, const PriorityOrder& order, const OrderPart& part,
-             const ChannelView& channel, const Raster& raster, bool with_depth, GeometryScratch& scratch,
-             ProjectedFaces& projected) {
+             const ChannelView& channel, const Raster& raster, const GeometryNeeds& needs,
+             GeometryScratch& scratch, ProjectedFaces& projected) {
     projected.faces.clear();
     projected.points.clear();
     projected.triangles.clear();
@@ -490,7 +511,7 @@ void project(const ActiveDatabase& active, const PriorityOrder& order, const Ord
     projected.lights_offered = 0;
     projected.lights_left_out = 0;
     projected.lights_at_step = {};
-    Projector(active, channel, raster, with_depth, scratch, projected).run(order, part);
+    Projector(active, channel, raster, needs, scratch, projected).run(order, part);
 }
 
 } // namespace linkdig::ig

@@ -30,16 +30,22 @@ struct SeenVertex {
 struct GeometryScratch {
     std::vector<SeenVertex> seen;
     std::uint32_t stamp = 0;
+    std::vector<ClipPoint> whole; ///< the face as it came
     std::vector<ClipPoint> polygon;
     std::vector<ClipPoint> spare;
     std::vector<ClipPoint> pieces;
 };
 
-/// Projects the present faces of a part of the priority order. The result's order is the rank. Depth planes are made where range
-/// plays a part (limited visibility), and never for what is centred on the eye.
+/// What the later stages need of the faces.
+struct GeometryNeeds {
+    bool depth = false;     ///< depth planes (limited visibility), though never of what is centred on the eye
+    bool low_faces = false; ///< faces too low for any line's centre, which only smoothed edges show
+};
+
+/// Projects the present faces of a part of the priority order. The result's order is the rank.
 void project(const ActiveDatabase& active, const PriorityOrder& order, const OrderPart& part,
-             const ChannelView& channel, const Raster& raster, bool with_depth, GeometryScratch& scratch,
-             ProjectedFaces& projected);
+             const ChannelView& channel, const Raster& raster, const GeometryNeeds& needs,
+             GeometryScratch& scratch, ProjectedFaces& projected);
 
 /// Intensity of a normal under a block's light: ambient + diffuse * max(0, n.s), clamped to [0, 1], 1.0 =
 /// 2^22.

@@ -30,6 +30,9 @@ struct RasterPoint {
     bool operator==(const RasterPoint&) const = default;
 };
 
+/// First line whose centre is at or below `coordinate` (1/256 pixel).
+inline std::int32_t first_line_at(std::int32_t coordinate) { return (coordinate + 127) >> 8; }
+
 /// The corners that define a face's intensity on the screen: the triangle before clipping. Doubles hold
 /// snapped values where the corner lies in the guard band, unsnapped ones (at most 1e12 px) where it does
 /// not.

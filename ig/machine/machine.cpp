@@ -202,7 +202,8 @@ struct Machine::State {
         run(&StageTimes::geometry_s, [&] {
             cut(channel);
             for_parts(channel, [&](std::size_t p, GeometryPart& part) {
-                project(active, channel.order, channel.cut[p], view, raster, packet.visibility_m > 0.0F,
+                project(active, channel.order, channel.cut[p], view, raster,
+                        {.depth = packet.visibility_m > 0.0F, .low_faces = configuration.edge_smoothing},
                         part.scratch, p == 0 ? channel.projected : part.projected);
             });
             channel.air.prepare(channel.projected.scale, raster, static_cast<double>(packet.visibility_m),

@@ -1,7 +1,5 @@
 #include "ig/video/fog.h"
 
-#include "database/model/mathematics.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,15 +7,7 @@ namespace linkdig::ig {
 
 namespace {
 
-std::vector<std::int32_t> make_transmission() {
-    std::vector<std::int32_t> table(transmission_entries);
-    for (std::int32_t k = 0; k < transmission_entries; ++k) {
-        table[static_cast<std::size_t>(k)] =
-            static_cast<std::int32_t>(exponential(-k / steps_per_optical_depth) * transmission_one + 0.5);
-    }
-    table.back() = 0; // everything beyond, too
-    return table;
-}
+constexpr double natural_logarithm_of_2 = 0.69314718055994531;
 
 } // namespace
 
@@ -25,8 +15,7 @@ void Air::prepare(const PictureScale& scale, const Raster& raster, double visibi
     visibility_m_ = visibility_m;
     horizon_ = horizon;
     if (clear()) return;
-    if (transmission_.empty()) transmission_ = make_transmission();
-    steps_per_m_ = static_cast<float>(extinction_at_visibility * steps_per_optical_depth / visibility_m);
+    m_per_octave_ = natural_logarithm_of_2 * visibility_m / extinction_at_visibility;
     make_rays(scale, raster);
 }
 
@@ -50,9 +39,7 @@ void Air::make_rays(const PictureScale& scale, const Raster& raster) {
 }
 
 std::int32_t Air::transmission_at(double range_m) const {
-    const double step =
-        std::min(range_m * static_cast<double>(steps_per_m_) + 0.5, transmission_entries - 1.0);
-    return transmission_[static_cast<std::size_t>(step)];
+    return transmission_over(std::min(static_cast<float>(range_m / m_per_octave_), most_octaves));
 }
 
 bool Air::is_flat(const DepthPlane& depth, std::int32_t& transmission) const {

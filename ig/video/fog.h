@@ -6,13 +6,15 @@
 /// d is the Euclidean range of the pixel, V the meteorological optical range: at d = V five hundredths of the contrast
 /// are left (Koschmieder's law with a contrast threshold of 0.05, whose negative logarithm 2.996 is).
 ///
-/// Range is needed per pixel: 1/z is linear on the screen (DepthPlane), z times a ray-length table is the range, and t
-/// comes from a table of integers in steps of 1/512 of optical depth: at most a quarter of a level off.
+/// Range is needed per pixel: 1/z is linear on the screen (DepthPlane), z times a ray-length table is the range. It is
+/// counted in octaves, over each of which half of the light is lost: t = 2^-octaves comes from a polynomial.
 
 #include "database/model/visual_database.h"
 #include "ig/configuration.h"
 #include "ig/geometry/projected_face.h"
 
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,13 +22,31 @@
 namespace linkdig::ig {
 
 inline constexpr double extinction_at_visibility = 2.996;
-/// Transmission 1.0 in the table; 15 bits, as intensities have in the inner loop.
+/// Transmission 1.0: 15 bits, as intensities have in the inner loop.
 inline constexpr std::int32_t transmission_one = 32767;
 
 /// Room behind the last ray length, so that whole vectors can be read.
 inline constexpr std::size_t rays_padding = 64;
 
-/// A channel's air for one frame. Tables are rebuilt only when what they depend on changes.
+/// From here on nothing is left of 15 bits; no pixel is farther.
+inline constexpr float most_octaves = 24.0F;
+/// 2^-f for f in [0, 1], exact at both ends, elsewhere within 3.4e-6 of it (a Remez fit of our own): least power first.
+inline constexpr std::array<float, 5> falling_octave{1.0F, -0.6930558712921329F, 0.23940567652597328F,
+                                                     -0.05312767876381903F, 0.006777873529978617F};
+
+/// Transmission over a range of `octaves` in [0, most_octaves], 15 bits. The inner loops do the same, step by step.
+inline std::int32_t transmission_over(float octaves) {
+    const auto whole = static_cast<std::int32_t>(octaves);
+    const float part = octaves - static_cast<float>(whole);
+    float power = falling_octave[4];
+    for (int k = 3; k >= 0; --k)
+        power = power * part + falling_octave[static_cast<std::size_t>(k)];
+    const auto halved =
+        std::bit_cast<float>(std::bit_cast<std::int32_t>(power) - (whole << 23)); // by its exponent
+    return static_cast<std::int32_t>(halved * static_cast<float>(transmission_one) + 0.5F);
+}
+
+/// A channel's air for one frame. Ray lengths are rebuilt only when what they depend on changes.
 class Air {
 public:
     /// visibility_m <= 0: clear air, and nothing else is prepared.
@@ -34,13 +54,11 @@ public:
 
     bool clear() const { return visibility_m_ <= 0.0; }
     Colour horizon() const { return horizon_; }
-    /// Steps of the transmission table per metre of range.
-    float steps_per_m() const { return steps_per_m_; }
-    const std::int32_t* transmission() const { return transmission_.data(); }
+    /// Range over which half of the light is lost, metres.
+    double m_per_octave() const { return m_per_octave_; }
     /// Ray lengths of a line's elements: range = z * ray length.
     const float* rays(std::uint32_t line) const { return rays_.data() + std::size_t{line} * elements_; }
 
-    /// Transmission over a range, looked up as the inner loop does it.
     std::int32_t transmission_at(double range_m) const;
 
     /// Does the transmission change by less than half a level over the face? Then `transmission` is that of its middle.
@@ -51,18 +69,11 @@ private:
 
     double visibility_m_ = 0.0;
     Colour horizon_;
-    float steps_per_m_ = 0.0F;
-    std::vector<std::int32_t> transmission_;
+    double m_per_octave_ = 0.0;
     std::vector<float> rays_;
     std::uint32_t elements_ = 0;
     PictureScale made_for_; ///< that the rays belong to
     Raster made_raster_{0, 0, Scan::horizontal};
 };
-
-/// Entries of the transmission table: optical depth 0 to 8 (where a third of a thousandth is left) in steps of 1/512.
-inline constexpr std::int32_t transmission_entries = 4096;
-inline constexpr double steps_per_optical_depth = 512.0;
-/// No face is nearer to infinity than this, 1/m: keeps the division finite; transmission is nought long before.
-inline constexpr float least_inverse_m = 1e-9F;
 
 } // namespace linkdig::ig

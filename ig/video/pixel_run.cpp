@@ -9,7 +9,7 @@
 namespace linkdig::ig {
 namespace {
 
-/// 1/z over a run: start + (offset + k) * along, and the elements' ray lengths.
+/// 1/z over a run, z in octaves: start + (offset + k) * along, and the elements' ray lengths.
 struct InverseRange {
     float start = 0;
     float along = 0;
@@ -18,13 +18,16 @@ struct InverseRange {
 };
 
 /// Elements over which 1/z runs in float.
-constexpr std::int32_t block_elements = 64;
+constexpr std::int32_t block_elements = 256;
+/// No face is nearer to infinity than this: keeps the division finite; nothing is left of the light long before.
+constexpr float least_inverse = 1e-9F;
 
 InverseRange inverse_range(const DepthPlane& depth, const Air& air, std::int32_t line, std::int32_t element) {
     const std::int32_t block = element & ~(block_elements - 1);
     InverseRange range;
-    range.start = static_cast<float>((depth.inverse_m + line * depth.across) + block * depth.along);
-    range.along = static_cast<float>(depth.along);
+    const double inverse_m = (depth.inverse_m + line * depth.across) + block * depth.along;
+    range.start = static_cast<float>(inverse_m * air.m_per_octave());
+    range.along = static_cast<float>(depth.along * air.m_per_octave());
     range.offset = element - block;
     range.rays = air.rays(static_cast<std::uint32_t>(line)) + element;
     return range;
@@ -35,13 +38,10 @@ std::uint32_t value_at(const IntensityPlane& plane, std::int32_t line, std::int3
            static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
 }
 
-std::int32_t transmission_in(const InverseRange& range, const Air& air, std::int32_t k) {
+std::int32_t transmission_in(const InverseRange& range) {
     const float inverse =
-        std::max(range.start + static_cast<float>(range.offset + k) * range.along, least_inverse_m);
-    const float range_m = range.rays[k] / inverse;
-    const float step =
-        std::min(range_m * air.steps_per_m() + 0.5F, static_cast<float>(transmission_entries - 1));
-    return air.transmission()[static_cast<std::int32_t>(step)];
+        std::max(range.start + static_cast<float>(range.offset) * range.along, least_inverse);
+    return transmission_over(std::min(range.rays[0] / inverse, most_octaves));
 }
 
 /// Each pixel of the runs by what `shaded` says of its line, element and intensity.
@@ -156,40 +156,42 @@ HWY_INLINE void FillRun(std::uint32_t* HWY_RESTRICT pixels, std::size_t count, N
 struct AirMixer {
     HWY_INLINE AirMixer(Colour colour, Colour horizon)
         : rg(Pair(colour.red << 7, colour.green << 7)), b(Pair(colour.blue << 7, 0)),
-          horizon_rg(Pair(horizon.red << 7, horizon.green << 7)), horizon_b(Pair(horizon.blue << 7, 0)) {}
-    HWY_INLINE hn::Vec<I16> Mix(hn::Vec<I16> face, hn::Vec<I16> air, hn::Vec<I16> i, hn::Vec<I16> t,
-                                hn::Vec<I16> rest) const {
-        const auto seen = hn::MulFixedPoint15(hn::MulFixedPoint15(face, i), t);
-        const auto sum = hn::Add(hn::Add(seen, hn::MulFixedPoint15(air, rest)), hn::Set(I16(), 64));
-        return hn::ShiftRight<7>(sum);
+          horizon_rg(Pair(horizon.red << 7, horizon.green << 7)), horizon_b(Pair(horizon.blue << 7, 0)),
+          half_level(hn::Set(I16(), 64)) {}
+    HWY_INLINE hn::Vec<I16> Mix(hn::Vec<I16> face, hn::Vec<I16> air, hn::Vec<I16> i, hn::Vec<I16> t) const {
+        const auto left = hn::MulFixedPoint15(hn::Sub(hn::MulFixedPoint15(face, i), air), t);
+        return hn::ShiftRight<7>(hn::Add(left, hn::Add(air, half_level)));
     }
     HWY_INLINE hn::Vec<U32> Seen(hn::Vec<I32> intensity, hn::Vec<I32> transmission) const {
         const auto i = BothHalves(intensity);
         const auto t = BothHalves(transmission);
-        const auto rest = BothHalves(hn::Sub(hn::Set(I32(), transmission_one), transmission));
-        return Packed(Mix(rg, horizon_rg, i, t, rest), Mix(b, horizon_b, i, t, rest));
+        return Packed(Mix(rg, horizon_rg, i, t), Mix(b, horizon_b, i, t));
     }
-    hn::Vec<I16> rg, b, horizon_rg, horizon_b;
+    hn::Vec<I16> rg, b, horizon_rg, horizon_b, half_level;
 };
 
 /// 1/z, range and transmission of a run inside one block of elements.
 struct Transmissions {
-    HWY_INLINE Transmissions(const InverseRange& range, const Air& air)
-        : range_(range), table_(air.transmission()), start(hn::Set(F32(), range.start)),
-          along(hn::Set(F32(), range.along)), steps(hn::Set(F32(), air.steps_per_m())) {}
-    /// The order of operations is transmission_of()'s; Mul and Add stay apart.
+    HWY_INLINE explicit Transmissions(const InverseRange& range)
+        : start(hn::Set(F32(), range.start)), along(hn::Set(F32(), range.along)), offset(hn::Iota(F32(), 0)),
+          first(static_cast<float>(range.offset)) {}
+    /// The order of operations is that of transmission_in() and transmission_over(); Mul and Add stay apart.
     HWY_INLINE hn::Vec<I32> At(std::size_t k, hn::Vec<F32> rays) const {
-        const auto offset =
-            hn::ConvertTo(F32(), hn::Iota(I32(), range_.offset + static_cast<std::int32_t>(k)));
-        const auto inverse = hn::Max(hn::Add(start, hn::Mul(offset, along)), hn::Set(F32(), least_inverse_m));
-        const auto range_m = hn::Div(rays, inverse);
-        const auto step = hn::Min(hn::Add(hn::Mul(range_m, steps), hn::Set(F32(), 0.5F)),
-                                  hn::Set(F32(), static_cast<float>(transmission_entries - 1)));
-        return hn::GatherIndex(I32(), table_, hn::ConvertTo(I32(), step));
+        const F32 d;
+        const auto here = hn::Add(offset, hn::Set(d, first + static_cast<float>(k)));
+        const auto inverse = hn::Max(hn::Add(start, hn::Mul(here, along)), hn::Set(d, least_inverse));
+        const auto octaves = hn::Min(hn::Div(rays, inverse), hn::Set(d, most_octaves));
+        const auto whole = hn::ConvertTo(I32(), octaves);
+        const auto part = hn::Sub(octaves, hn::ConvertTo(d, whole));
+        auto power = hn::Set(d, falling_octave[4]);
+        for (int c = 3; c >= 0; --c)
+            power = hn::Add(hn::Mul(power, part), hn::Set(d, falling_octave[static_cast<std::size_t>(c)]));
+        const auto halved = hn::BitCast(d, hn::Sub(hn::BitCast(I32(), power), hn::ShiftLeft<23>(whole)));
+        return hn::ConvertTo(I32(), hn::Add(hn::Mul(halved, hn::Set(d, static_cast<float>(transmission_one))),
+                                            hn::Set(d, 0.5F)));
     }
-    const InverseRange& range_;
-    const std::int32_t* table_;
-    hn::Vec<F32> start, along, steps;
+    hn::Vec<F32> start, along, offset;
+    float first;
 };
 
 void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, std::size_t runs,
@@ -228,7 +230,7 @@ void ShadeRunsInAir(const IntensityPlane& plane, Colour colour, const DepthPlane
             stop = std::min(end, (element & ~(block_elements - 1)) + block_elements);
             const auto count = static_cast<std::size_t>(stop - element);
             const InverseRange range = inverse_range(depth, air, run->line, element);
-            const Transmissions transmissions(range, air);
+            const Transmissions transmissions(range);
             intensities.Begin(run->line, element);
             FillRun(pixels.at(run->line, static_cast<std::uint32_t>(element)), count,
                     [&](std::size_t k) HWY_ATTR {
@@ -302,7 +304,7 @@ void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPl
 
 std::int32_t transmission_of(const DepthPlane& depth, const Air& air, std::int32_t line,
                              std::int32_t element) {
-    return transmission_in(inverse_range(depth, air, line, element), air, 0);
+    return transmission_in(inverse_range(depth, air, line, element));
 }
 
 } // namespace linkdig::ig

@@ -57,10 +57,10 @@ inline Components lit(Colour colour, std::int32_t intensity) {
 
 /// Seen through air of a transmission (1.0 = 32767).
 inline Components through_air(const Components& face, std::int32_t transmission, Colour horizon) {
-    const auto t = static_cast<std::uint32_t>(transmission);
-    const auto mix = [t](std::uint32_t component, std::uint32_t horizon_code) {
-        constexpr std::uint32_t half = 1U << 14U;
-        return ((component * t + half) >> 15U) + (((horizon_code << 7U) * (32767U - t) + half) >> 15U);
+    const auto mix = [transmission](std::uint32_t component, std::uint8_t horizon_code) {
+        const std::int32_t air = std::int32_t{horizon_code} << 7;
+        const std::int32_t left = (static_cast<std::int32_t>(component) - air) * transmission;
+        return static_cast<std::uint32_t>(air + ((left + (1 << 14)) >> 15));
     };
     return {mix(face.red, horizon.red), mix(face.green, horizon.green), mix(face.blue, horizon.blue)};
 }
@@ -81,7 +81,7 @@ void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t
 void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
                        std::span<const Segment> runs, const BandPixels& pixels);
 
-/// Transmission of one pixel, as the runs compute it: 1/z is taken in double at the start of each 64 elements and in
+/// Transmission of one pixel, as the runs compute it: 1/z is taken in double at the start of each 256 elements and in
 /// float from there, so that it depends on the pixel alone.
 std::int32_t transmission_of(const DepthPlane& depth, const Air& air, std::int32_t line,
                              std::int32_t element);

@@ -21,20 +21,17 @@ using SumU = hn::Repartition<std::uint32_t, SumI>;
 /// A component of lit(), and of through_air() where there is air.
 struct Lighter {
     HWY_INLINE Lighter(std::uint8_t code, std::uint8_t horizon, std::int32_t transmission)
-        : code_(hn::Set(SumU(), static_cast<std::uint32_t>(code) << 7U)),
-          t_(hn::Set(SumU(), static_cast<std::uint32_t>(transmission))),
-          air_(hn::Set(SumU(), ((static_cast<std::uint32_t>(horizon) << 7U) *
-                                    (32767U - static_cast<std::uint32_t>(transmission)) +
-                                (1U << 14U)) >>
-                                   15U)),
-          in_air_(transmission >= 0) {}
+        : code_(hn::Set(SumU(), static_cast<std::uint32_t>(code) << 7U)), t_(hn::Set(SumI(), transmission)),
+          air_(hn::Set(SumI(), std::int32_t{horizon} << 7)), in_air_(transmission >= 0) {}
     HWY_INLINE hn::Vec<SumU> At(hn::Vec<SumU> scale) const {
-        const auto half = hn::Set(SumU(), 1U << 14U);
-        const auto shown = hn::ShiftRight<15>(hn::Add(hn::Mul(code_, scale), half));
+        const auto shown = hn::ShiftRight<15>(hn::Add(hn::Mul(code_, scale), hn::Set(SumU(), 1U << 14U)));
         if (!in_air_) return shown;
-        return hn::Add(hn::ShiftRight<15>(hn::Add(hn::Mul(shown, t_), half)), air_);
+        const auto left = hn::Mul(hn::Sub(hn::BitCast(SumI(), shown), air_), t_);
+        const auto rounded = hn::ShiftRight<15>(hn::Add(left, hn::Set(SumI(), 1 << 14)));
+        return hn::BitCast(SumU(), hn::Add(rounded, air_));
     }
-    hn::Vec<SumU> code_, t_, air_;
+    hn::Vec<SumU> code_;
+    hn::Vec<SumI> t_, air_;
     bool in_air_;
 };
 

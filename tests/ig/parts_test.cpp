@@ -30,7 +30,8 @@ Stages in_parts(const ActiveDatabase& active, const PriorityOrder& order, const 
     Stages all;
     for (const OrderPart& part : cut) {
         Stages one;
-        project(active, order, part, view, raster, true, scratch, one.projected);
+        project(active, order, part, view, raster, {.depth = true, .low_faces = true}, scratch,
+                one.projected);
         make_edges(one.projected, raster, true, one.edges);
         append(one.projected, all.projected);
         append(one.edges, all.edges);

@@ -27,7 +27,7 @@ Projected project_packet(const VisualDatabase& database, const FramePacket& pack
     GeometryScratch geometry_scratch;
     made.scene.raster = raster;
     made.scene.colours = database.colours;
-    project(made.active, made.order, whole_of(made.order), packet.channels[0], raster, false,
+    project(made.active, made.order, whole_of(made.order), packet.channels[0], raster, {.low_faces = true},
             geometry_scratch, made.scene.projected);
     return made;
 }
