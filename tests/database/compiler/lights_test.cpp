@@ -194,8 +194,8 @@ void check_lights(const VisualDatabase& d, Random& random, int eyes, LightTally&
                 double distance = 0;
                 if (!meets(d, d.faces[items[f].index], ray, distance, margin)) continue;
                 found = found || f < k;
-                expected = expected || distance < range - 0.01;
-                if (std::fabs(distance - range) < 0.05 && std::fabs(distance - range) > 0.01) margin = 0.0;
+                expected = expected || distance < range - 0.002;
+                if (std::fabs(distance - range) < 0.05 && std::fabs(distance - range) > 0.002) margin = 0.0;
             }
             if (margin < 2e-3) continue; // by a hair: either answer is right
             tally.wrong += found != expected ? 1 : 0;

@@ -103,8 +103,9 @@ std::vector<Solid> random_solids(Random& random, int wanted) {
             const Vec3d half = random.point({0.3, 0.3, 0.3}, {6, 3, 3});
             solid = box(centre - half, centre + half);
         } else {
-            solid = prism(centre, random.between(0.5, 3), random.between(0.3, 6),
-                          3 + static_cast<int>(random.between(0, 5)), random.between(0, 6));
+            const double radius = random.between(0.5, 3), half_height = random.between(0.3, 6);
+            const int sides = 3 + static_cast<int>(random.between(0, 5));
+            solid = prism(centre, radius, half_height, sides, random.between(0, 6));
         }
         if (std::all_of(solids.begin(), solids.end(),
                         [&](const Solid& other) { return apart(solid, other); }))
