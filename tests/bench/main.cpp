@@ -1,4 +1,4 @@
-// Draws the same frames with linkdig and with the peer, turn by turn, and prints the ratios of their times.
+// Draws the same frames with linkdig and with the peer, in turns of a few frames, and prints the ratios of their times.
 //
 //   bench_peer THREADS SIZE ROUNDS SCENE...     a JSON list of rows on standard output
 //
@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 
@@ -22,6 +23,30 @@ using Clock = std::chrono::steady_clock;
 
 double ms_since(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+/// Frames of one side before it is the other's turn: a renderer draws frame after frame, and one whose caches the other
+/// has emptied before each is measured by the other's size.
+constexpr std::uint32_t turn_frames = 4;
+
+/// Calls ours(frame) and theirs(frame) in turns of frames; `took` has both times of each frame, milliseconds. The first turns
+/// of both warm up.
+template <typename Ours, typename Theirs, typename Took>
+void in_turns(std::uint32_t rounds, const Ours& ours, const Theirs& theirs, const Took& took) {
+    for (std::uint32_t round = 0; round < rounds + 1; ++round) {
+        std::array<double, turn_frames> ours_ms{}, theirs_ms{};
+        const auto measured = [round](const auto& draw, auto& ms) {
+            for (std::uint32_t k = 0; k < turn_frames; ++k) {
+                const Clock::time_point begin = Clock::now();
+                draw(round * turn_frames + k);
+                ms[k] = ms_since(begin);
+            }
+        };
+        measured(ours, ours_ms);
+        measured(theirs, theirs_ms);
+        for (std::uint32_t k = 0; round > 0 && k < turn_frames; ++k)
+            took(ours_ms[k], theirs_ms[k]);
+    }
 }
 
 /// Mean difference of the two pictures, levels: a check that both draw the same thing.
@@ -47,32 +72,39 @@ struct Contest {
     std::vector<double> ours_ms, theirs_ms;
 };
 
+/// A second of the scene.
+std::vector<FramePacket> packets_of(const Scene& scene) {
+    std::vector<FramePacket> packets;
+    for (std::uint64_t frame = 0; frame < 30; ++frame)
+        packets.push_back(scene.packet(frame));
+    return packets;
+}
+
 /// One way of drawing a scene, turn by turn.
 Contest contest(const Scene& scene, const MeasureOptions& options, bool depth_test, std::uint32_t rounds) {
     const ig::Configuration configuration = configuration_of(scene, options);
     ig::Machine machine(scene.database, configuration);
     Peer peer(configuration.raster.width, configuration.raster.height, depth_test);
-    const FramePacket first = scene.packet(0);
+    const std::vector<FramePacket> packets = packets_of(scene);
+    const FramePacket& first = packets.front();
     for (std::size_t channel = 0; channel < first.channels.size(); ++channel)
         peer.add(world_faces(scene.database, first, channel));
     Contest result;
     result.peer = peer.renderer();
-    for (std::uint32_t round = 0; round < rounds + 3; ++round) { // three to warm up
-        const FramePacket packet = scene.packet(round % 30);
-        Clock::time_point begin = Clock::now();
-        machine.frame(packet);
-        const double ours_ms = ms_since(begin);
-        begin = Clock::now();
-        const std::vector<std::uint32_t>* read = nullptr;
-        for (std::size_t channel = 0; channel < packet.channels.size(); ++channel)
-            read = &peer.draw(packet, channel);
-        const double theirs_ms = ms_since(begin);
-        if (round == 0 && !options.smoothing)
-            result.difference = difference(machine.picture(packet.channels.size() - 1), *read);
-        if (round < 3) continue;
-        result.ours_ms.push_back(ours_ms);
-        result.theirs_ms.push_back(theirs_ms);
-    }
+    const std::vector<std::uint32_t>* read = nullptr;
+    in_turns(
+        rounds, [&](std::uint32_t frame) { machine.frame(packets[frame % packets.size()]); },
+        [&](std::uint32_t frame) {
+            const FramePacket& packet = packets[frame % packets.size()];
+            for (std::size_t channel = 0; channel < packet.channels.size(); ++channel)
+                read = &peer.draw(packet, channel);
+        },
+        [&](double ours_ms, double theirs_ms) {
+            result.ours_ms.push_back(ours_ms);
+            result.theirs_ms.push_back(theirs_ms);
+        });
+    // Both ended with the same frame.
+    if (!options.smoothing) result.difference = difference(machine.picture(first.channels.size() - 1), *read);
     return result;
 }
 
@@ -102,18 +134,17 @@ nlohmann::json own_row(const Scene& scene, const MeasureOptions& plain, const Me
     ig::Machine plain_machine(scene.database, configuration_of(scene, plain));
     ig::Machine dear_machine(scene.database, configuration_of(scene, dear));
     std::vector<double> plain_ms, dear_ms;
-    for (std::uint32_t round = 0; round < rounds + 3; ++round) {
-        FramePacket packet = scene.packet(round % 30);
-        Clock::time_point begin = Clock::now();
-        plain_machine.frame(packet);
-        const double without_ms = ms_since(begin);
+    const std::vector<FramePacket> packets = packets_of(scene);
+    std::vector<FramePacket> hazy = packets;
+    for (FramePacket& packet : hazy)
         packet.visibility_m = static_cast<float>(dear.visibility_m);
-        begin = Clock::now();
-        dear_machine.frame(packet);
-        if (round < 3) continue;
-        plain_ms.push_back(without_ms);
-        dear_ms.push_back(ms_since(begin));
-    }
+    in_turns(
+        rounds, [&](std::uint32_t frame) { plain_machine.frame(packets[frame % packets.size()]); },
+        [&](std::uint32_t frame) { dear_machine.frame(hazy[frame % hazy.size()]); },
+        [&](double without_ms, double with_ms) {
+            plain_ms.push_back(without_ms);
+            dear_ms.push_back(with_ms);
+        });
     return row(scene.name, dear, name, dear_ms, plain_ms);
 }
 
