@@ -5,6 +5,7 @@
 #include "tools/check/cast_scene.h"
 #include "tools/flight/arguments.h"
 #include "tools/flight/open_database.h"
+#include "tools/flight/output_name.h"
 #include "tools/flight/progress.h"
 #include "tools/subcommands.h"
 
@@ -123,6 +124,7 @@ void tell_view(const CheckView& view) {
 }
 
 int run(const CheckOptions& options) {
+    if (!options.picture.empty()) require_ending(options.picture, "a PNG picture", {".png"});
     const OpenedDatabase opened = open_database(options.database);
     CheckRequest request;
     request.seed = options.seed;

@@ -11,6 +11,7 @@
 #include "tools/flight/arguments.h"
 #include "tools/flight/bad_input.h"
 #include "tools/flight/open_database.h"
+#include "tools/flight/output_name.h"
 #include "tools/flight/progress.h"
 #include "tools/subcommands.h"
 
@@ -109,6 +110,8 @@ Settings settings_of(const CompareOptions& options, const std::vector<OpenedData
 }
 
 int run(const CompareOptions& options) {
+    if (!options.report.empty()) require_ending(options.report, "a page", {".html"});
+    if (!options.junit.empty()) require_ending(options.junit, "a JUnit file", {".xml"});
     const std::vector<Case> cases = cases_of(options);
     const std::vector<OpenedDatabase> databases = open_databases(options);
     const Settings settings = settings_of(options, databases);

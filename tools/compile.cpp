@@ -4,6 +4,7 @@
 #include "database/compiler/schema.h"
 #include "database/format/validate.h"
 #include "database/format/write.h"
+#include "tools/flight/output_name.h"
 #include "tools/subcommands.h"
 #include "tools/watch/file_watch.h"
 
@@ -174,6 +175,7 @@ int compile(const Arguments& arguments) {
     if (arguments.schema) return print_schema(arguments);
     if (arguments.source.empty() || arguments.output.empty())
         throw std::invalid_argument("SRC and --output are required");
+    require_ending(arguments.output, "a compiled database", {".igdb"});
     if (arguments.watch) return compile_and_watch(arguments);
     const database::CompileResult result = database::compile_file(arguments.source);
     return takes_a_source(arguments, result) ? bad_input : compile_once(arguments, result);

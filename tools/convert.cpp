@@ -3,6 +3,7 @@
 #include "host/packet/recording_json.h"
 #include "tools/compare/packet_stream.h"
 #include "tools/flight/bad_input.h"
+#include "tools/flight/output_name.h"
 #include "tools/subcommands.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,8 @@ struct ConvertOptions {
 };
 
 int convert(const ConvertOptions& options) {
+    require_recording_name(options.output);
+    require_other_file(options.output, options.input);
     if (std::filesystem::is_directory(options.input))
         throw BadInput(options.input + ": error: is a folder; expected a recording, or one as text");
     if (compare::has_recording_magic(options.input)) {

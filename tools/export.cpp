@@ -3,13 +3,12 @@
 #include "database/mesh/mesh_of_database.h"
 #include "database/mesh/write_mesh.h"
 #include "tools/flight/open_database.h"
+#include "tools/flight/output_name.h"
 #include "tools/subcommands.h"
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 namespace linkdig::tools {
@@ -22,10 +21,7 @@ struct ExportOptions {
 };
 
 int export_database(const ExportOptions& options) {
-    const std::string ending = std::filesystem::path(options.output).extension().string();
-    if (ending != ".gltf" && ending != ".glb")
-        throw std::invalid_argument(
-            fmt::format("'{}' is no glTF file; expected a name in .gltf or .glb", options.output));
+    require_ending(options.output, "a glTF file", {".gltf", ".glb"});
     const OpenedDatabase opened = open_database(options.database);
     const database::DatabaseMesh made = database::mesh_of(opened.database);
     database::write_mesh(made.mesh, options.output);

@@ -5,6 +5,7 @@
 #include "tools/flight/arguments.h"
 #include "tools/flight/bad_input.h"
 #include "tools/flight/fly_files.h"
+#include "tools/flight/output_name.h"
 #include "tools/fly/window.h"
 #include "tools/panel/shipped_mappings.h"
 #include "tools/sheet/text.h"
@@ -73,6 +74,8 @@ int as_files(const FlyOptions& options) {
 }
 
 int run(const FlyOptions& options) {
+    if (!options.record.empty()) require_recording_name(options.record);
+    require_recording_name(options.state);
     if (options.headless) return as_files(options);
     host::SignalStore signals;
     host::IndicationStore indications;

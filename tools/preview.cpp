@@ -5,6 +5,7 @@
 #include "tools/film/film.h"
 #include "tools/flight/arguments.h"
 #include "tools/flight/open_database.h"
+#include "tools/flight/output_name.h"
 #include "tools/flight/progress.h"
 #include "tools/sheet/contact_sheet.h"
 #include "tools/sheet/text.h"
@@ -88,6 +89,8 @@ void write_turntable(const PreviewOptions& options, const std::vector<PreviewSub
 }
 
 int preview(const PreviewOptions& options) {
+    require_ending(options.output, "a PNG picture", {".png"});
+    if (!options.turntable.empty()) require_ending(options.turntable, "an MP4 film", {".mp4"});
     const ig::Configuration configuration =
         configuration_of("modern", options.size, std::nullopt, options.threads, false);
     require_fonts();

@@ -3,6 +3,7 @@
 #include "database/format/name_directory.h"
 #include "host/packet/recording.h"
 #include "tools/flight/flight.h"
+#include "tools/flight/output_name.h"
 #include "tools/flight/saved_state.h"
 #include "tools/subcommands.h"
 
@@ -24,6 +25,8 @@ struct RecordOptions {
 };
 
 int record(const RecordOptions& options) {
+    require_recording_name(options.output);
+    require_other_file(options.output, options.state);
     FlightRequest request;
     request.scenario_path = options.scenario;
     request.configuration = ig::modern_profile();

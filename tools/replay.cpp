@@ -9,6 +9,7 @@
 #include "tools/flight/bad_input.h"
 #include "tools/flight/fly_files.h"
 #include "tools/flight/open_database.h"
+#include "tools/flight/output_name.h"
 #include "tools/flight/progress.h"
 #include "tools/sheet/text.h"
 #include "tools/subcommands.h"
@@ -57,6 +58,8 @@ void write_pictures(Replay& replay, std::uint64_t frames, const ReplayOptions& o
 }
 
 int run(const ReplayOptions& options) {
+    require_recording_name(options.save);
+    require_other_file(options.save, options.recording);
     const ig::Configuration configuration =
         configuration_of(options.profile, options.size, std::nullopt, options.threads, false);
     Replay replay(options.recording, options.database, configuration);
@@ -83,10 +86,13 @@ void add_replay(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 10000000));
     command->add_option("--database", options->database,
                         "Database (.toml or .igdb); default: the recording's own");
-    command->add_flag("--hashes", options->hashes,
-                      "Print each picture's frame number and XXH64, and write no files");
-    command->add_option("--save-state", options->save,
-                        "Write the state before packet --from to this file, and stop");
+    CLI::Option* hashes =
+        command->add_flag("--hashes", options->hashes,
+                          "Print each picture's frame number and XXH64, and write no files");
+    command
+        ->add_option("--save-state", options->save,
+                     "Write the state before packet --from to this file, and stop")
+        ->excludes(hashes);
     command->add_option("--out", options->out, "Folder of the files")->capture_default_str();
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
     command->add_option("--profile", options->profile, "Machine profile")

@@ -3,6 +3,7 @@
 #include "database/compiler/wake_spec.h"
 #include "ig/sink/image_file.h"
 #include "tools/flight/bad_input.h"
+#include "tools/flight/output_name.h"
 #include "tools/subcommands.h"
 
 #include <fmt/format.h>
@@ -94,9 +95,7 @@ void warn_of_outside(const WakeSpec& spec, const WakeFieldResult& made) {
 }
 
 int wake(const WakeOptions& options) {
-    if (std::filesystem::path(options.output).extension() != ".exr")
-        throw std::invalid_argument(
-            fmt::format("'{}' is no OpenEXR file; expected a name in .exr", options.output));
+    require_ending(options.output, "an OpenEXR file", {".exr"});
     database::Diagnostics diagnostics;
     std::optional<WakeSpec> spec = database::read_wake_spec(options.spec, diagnostics);
     if (!spec) throw BadInput(diagnostics.text());

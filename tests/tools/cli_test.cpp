@@ -80,12 +80,13 @@ TEST(CommandLine, ValuesOfRenderAreChecked) {
 /// A slip of the pen would cost an author the work: the source, and what it includes, are no output.
 TEST(CommandLine, NoSourceIsOverwritten) {
     const TemporaryFolder folder;
-    const std::string source = folder.file("a.toml");
-    const std::string included = folder.file("b.toml");
-    const std::string words = "include = [\"b.toml\"]\n[database]\nname = \"a\"\n";
+    // Both are named as a compiled file is: other names are refused before.
+    const std::string source = folder.file("a.igdb");
+    const std::string included = folder.file("b.igdb");
+    const std::string words = "include = [\"b.igdb\"]\n[database]\nname = \"a\"\n";
     std::ofstream(source) << words;
     std::ofstream(included) << "[[sun]]\nname = \"sun\"\n";
-    for (const std::string& output : {source, included, folder.file("./a.toml")}) {
+    for (const std::string& output : {source, included, folder.file("./a.igdb")}) {
         const Outcome outcome = run("compile " + source + " -o " + output);
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_THAT(outcome.errors, HasSubstr(output + " is a file that the database is made of"));
@@ -93,6 +94,63 @@ TEST(CommandLine, NoSourceIsOverwritten) {
     std::ostringstream left;
     left << std::ifstream(source).rdbuf();
     EXPECT_EQ(left.str(), words);
+}
+
+/// What is written is what the name says, or nothing is; what stood there is as it was.
+TEST(CommandLine, NamesOfFilesToWriteAreThoseOfTheirKind) {
+    const TemporaryFolder folder;
+    const std::string database = LINKDIG_SOURCE_DIR "/database/scenes/runway_lights/runway_lights.toml";
+    const std::string star = LINKDIG_SOURCE_DIR "/database/scenes/wakes/kelvin/figure22.toml";
+    struct Case {
+        std::string command;
+        std::string name;
+        const char* told;
+    };
+    for (const Case& each : {
+             Case{"preview " + database + " -o ", "a.jpg", "that of a PNG picture; expected a name in .png"},
+             Case{"preview " + database + " -o ", "a", "that of a PNG picture; expected a name in .png"},
+             Case{"preview " + database + " -o " + folder.file("sheet.png") + " --turntable ", "a.gif",
+                  "that of an MP4 film; expected a name in .mp4"},
+             Case{"check " + database + " --view 1 --picture ", "a.jpg", "that of a PNG picture"},
+             Case{"compile " + database + " -o ", "a.db", "that of a compiled database; expected a name in .igdb"},
+             Case{"export " + database + " -o ", "a.obj", "a glTF file; expected a name in .gltf or .glb"},
+             Case{"wake " + star + " -o ", "a.png", "that of an OpenEXR file; expected a name in .exr"},
+             Case{"compare x y --report ", "a.txt", "that of a page; expected a name in .html"},
+             Case{"compare x y --junit ", "a.json", "that of a JUnit file; expected a name in .xml"},
+             Case{"record " + scenario + " -o ", "a.toml", "flights are made from files of that name"},
+             Case{"fly " + scenario + " --record ", "a.toml", "flights are made from files of that name"},
+             Case{"fly " + scenario + " --state ", "a.igdb", "flights are made from files of that name"},
+             Case{"convert x -o ", "a.igdb", "flights are made from files of that name"},
+             Case{"replay x --save-state ", "a.toml", "flights are made from files of that name"},
+         }) {
+        const std::string path = folder.file(each.name);
+        std::ofstream(path) << "as it was";
+        const Outcome outcome = run(each.command + path);
+        EXPECT_EQ(outcome.exit_code, 2) << each.command;
+        EXPECT_EQ(outcome.output, "") << each.command;
+        EXPECT_THAT(outcome.errors, HasSubstr("'" + path + "' cannot be written")) << each.command;
+        EXPECT_THAT(outcome.errors, HasSubstr(each.told)) << each.command;
+        EXPECT_EQ(bytes_of(path), "as it was") << each.command;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder.file("sheet.png")));
+}
+
+TEST(CommandLine, AFileThatIsReadIsNotWritten) {
+    const TemporaryFolder folder;
+    const std::string flight = folder.file("flight.rec");
+    ASSERT_EQ(run("record " + scenario + " --frames 2 -o " + flight).exit_code, 0);
+    const std::string before = bytes_of(flight);
+    std::filesystem::create_symlink(flight, folder.file("link"));
+    for (const std::string& command :
+         {"convert " + flight + " -o " + flight, "convert " + flight + " -o " + folder.file("link"),
+          "replay " + flight + " --save-state " + flight,
+          "record " + scenario + " --state " + flight + " -o " + flight}) {
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.exit_code, 2) << command;
+        EXPECT_THAT(outcome.errors, HasSubstr("it is read, too; expected the name of another file")) << command;
+        EXPECT_EQ(bytes_of(flight), before) << command;
+    }
+    EXPECT_EQ(run("replay " + flight + " --hashes --save-state " + folder.file("s")).exit_code, 2);
 }
 
 TEST(CommandLine, AFolderThatCannotBeMadeIsTheEnvironments) {

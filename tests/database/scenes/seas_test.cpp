@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 
 namespace linkdig::database {
 namespace {
@@ -35,6 +37,20 @@ TEST(Seas, EachGivesTheListAndTheClusterThatShipsFloatOn) {
         EXPECT_EQ(d.clusters[sea->cluster].name, "sea") << name;
         EXPECT_EQ(d.groups[d.clusters[sea->cluster].group].number, 20) << name;
     }
+}
+
+/// The ray caster's check at length takes shipped databases: each sea is in one, or nothing holds it against anything.
+TEST(Seas, EachIsInADatabaseThatIsShipped) {
+    std::set<std::string> shipped;
+    for (const fs::directory_entry& each : fs::directory_iterator(LINKDIG_SOURCE_DIR "/database/scenes/report")) {
+        if (!each.path().stem().string().ends_with("_database")) continue;
+        const CompileResult result = compile_file(each.path().string());
+        EXPECT_TRUE(result.database) << messages(result);
+        for (const std::string& file : result.files)
+            shipped.insert(fs::path(file).filename().string());
+    }
+    for (const fs::directory_entry& each : fs::directory_iterator(LINKDIG_SOURCE_DIR "/database/scenes/seas"))
+        EXPECT_TRUE(shipped.contains(each.path().filename().string())) << each.path();
 }
 
 } // namespace
