@@ -86,9 +86,8 @@ void add_replay(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 10000000));
     command->add_option("--database", options->database,
                         "Database (.toml or .igdb); default: the recording's own");
-    CLI::Option* hashes =
-        command->add_flag("--hashes", options->hashes,
-                          "Print each picture's frame number and XXH64, and write no files");
+    CLI::Option* hashes = command->add_flag(
+        "--hashes", options->hashes, "Print each picture's frame number and XXH64, and write no files");
     command
         ->add_option("--save-state", options->save,
                      "Write the state before packet --from to this file, and stop")

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -64,6 +65,7 @@ private:
                          "the colour of the material's name");
         reader_.describe("objects", "table of node names, each an object's name", "none");
         reader_.describe("two_sided", "true or false", "the materials'");
+        reader_.describe("opacity", "number, 0.00390625 to 1", "the materials', where a glTF blends them");
     }
 
     /// Relative to the file that names it.
@@ -164,6 +166,9 @@ private:
     FaceStyle style_of(const MeshMaterial& material, const std::map<std::string, std::uint16_t>& authored) {
         FaceStyle style = style_;
         style.two_sided = reader_.has("two_sided") ? style_.two_sided : material.two_sided;
+        if (!reader_.has("opacity"))
+            style.opacity =
+                static_cast<std::uint16_t>(std::max(1.0, std::floor(material.opacity * 256.0 + 0.5)));
         if (const auto found = authored.find(material.name); found != authored.end()) {
             style.colour = found->second;
         } else if (const auto same = reading_.registry->colour_names.find(material.name)) {

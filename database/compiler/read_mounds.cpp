@@ -60,6 +60,25 @@ private:
     std::uint64_t next_;
 };
 
+/// Does `place` lie well inside the convex `base`, seen from above, so that a top over it leans over no side?
+bool stands_over(const std::vector<Vec3d>& base, const Vec3d& place) {
+    constexpr double least_share = 0.05; // of the side's length: steeper sides would be upright to the eye
+    for (std::size_t i = 0; i < base.size(); ++i) {
+        const Vec3d side = base[(i + 1) % base.size()] - base[i];
+        const Vec3d inward = place - base[i];
+        if (side.x * inward.y - side.y * inward.x < least_share * (side.x * side.x + side.y * side.y))
+            return false;
+    }
+    return true;
+}
+
+Vec3d middle_of(const std::vector<Vec3d>& points) {
+    Vec3d sum(0.0);
+    for (const Vec3d& point : points)
+        sum += point;
+    return sum / static_cast<double>(points.size());
+}
+
 /// Corners of a mound's base, then its top. It stays inside its square of the field, so that a plane passes between any two.
 std::vector<Vec3d> mound(const Field& field, std::uint64_t column, std::uint64_t row) {
     Rolls roll(field.seed, row * field.columns + column);
@@ -79,8 +98,8 @@ std::vector<Vec3d> mound(const Field& field, std::uint64_t column, std::uint64_t
         points.push_back(centre + radius * roll.between(0.65, 1.0) * Vec3d(a.cosine, a.sine, 0.0));
     }
     const SineCosine lean = sine_cosine(roll.between(0.0, two_pi));
-    const Vec3d top = radius * roll.between(0.0, 0.25) * Vec3d(lean.cosine, lean.sine, 0.0);
-    points.push_back(centre + top + Vec3d(0.0, 0.0, height));
+    const Vec3d top = centre + radius * roll.between(0.0, 0.25) * Vec3d(lean.cosine, lean.sine, 0.0);
+    points.push_back((stands_over(points, top) ? top : middle_of(points)) + Vec3d(0.0, 0.0, height));
     return points;
 }
 

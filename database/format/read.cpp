@@ -153,7 +153,7 @@ ReadResult decode_payload(std::span<const std::uint8_t> payload) {
 
 /// A whole file in memory that nobody has filled with zeros first.
 struct FileBytes {
-    std::unique_ptr<std::uint8_t[]> data;
+    LargeBytes data;
     std::size_t size = 0;
 };
 
@@ -215,8 +215,7 @@ FileBytes read_file(const std::string& path, std::string& error) {
         error = code ? code.message() : fmt::format("too large: {} bytes", size);
         return {};
     }
-    FileBytes bytes{std::unique_ptr<std::uint8_t[]>(new std::uint8_t[size]), size};
-    prefer_large_pages(bytes.data.get(), size);
+    FileBytes bytes{large_bytes(size), size};
     if (!read_all(file.descriptor, bytes)) error = "it became shorter while it was read";
     return bytes;
 }

@@ -1,5 +1,6 @@
 #include "database/mesh/read_mesh.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/Importer.hpp>
 #include <assimp/commonMetaData.h>
 #include <assimp/material.h>
@@ -84,7 +85,17 @@ private:
         int two_sided = 0;
         from.Get(AI_MATKEY_NAME, name);
         from.Get(AI_MATKEY_TWOSIDED, two_sided);
-        return {name_of(name), {}, two_sided != 0, 1.0};
+        return {name_of(name), {}, two_sided != 0, opacity_of(from)};
+    }
+
+    /// Of glTF, and only where it says that it blends: elsewhere files bear any alpha, and nobody sees it.
+    static double opacity_of(const aiMaterial& from) {
+        aiString mode;
+        float opacity = 1.0F;
+        if (from.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != aiReturn_SUCCESS || name_of(mode) != "BLEND")
+            return 1.0;
+        from.Get(AI_MATKEY_OPACITY, opacity);
+        return opacity >= 0.0F && opacity <= 1.0F ? static_cast<double>(opacity) : 1.0;
     }
 
     void add(const aiNode& node, const Affine& file_from_parent, int level) {

@@ -29,10 +29,11 @@ aiString text(const std::string& from) { return aiString(from); }
 std::unique_ptr<aiMaterial> material_of(const MeshMaterial& from) {
     auto made = std::make_unique<aiMaterial>();
     const aiString name = text(from.name);
+    // Assimp multiplies the colour's alpha by the opacity.
     const aiColor4D colour(linear(from.colour.red), linear(from.colour.green), linear(from.colour.blue),
-                           static_cast<float>(from.opacity));
+                           1.0F);
     const int two_sided = from.two_sided ? 1 : 0;
-    const float metallic = 0.0F, rough = 1.0F, opacity = colour.a;
+    const float metallic = 0.0F, rough = 1.0F, opacity = static_cast<float>(from.opacity);
     made->AddProperty(&name, AI_MATKEY_NAME);
     made->AddProperty(&colour, 1, AI_MATKEY_BASE_COLOR);
     made->AddProperty(&colour, 1, AI_MATKEY_COLOR_DIFFUSE);

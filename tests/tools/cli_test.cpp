@@ -112,7 +112,8 @@ TEST(CommandLine, NamesOfFilesToWriteAreThoseOfTheirKind) {
              Case{"preview " + database + " -o " + folder.file("sheet.png") + " --turntable ", "a.gif",
                   "that of an MP4 film; expected a name in .mp4"},
              Case{"check " + database + " --view 1 --picture ", "a.jpg", "that of a PNG picture"},
-             Case{"compile " + database + " -o ", "a.db", "that of a compiled database; expected a name in .igdb"},
+             Case{"compile " + database + " -o ", "a.db",
+                  "that of a compiled database; expected a name in .igdb"},
              Case{"export " + database + " -o ", "a.obj", "a glTF file; expected a name in .gltf or .glb"},
              Case{"wake " + star + " -o ", "a.png", "that of an OpenEXR file; expected a name in .exr"},
              Case{"compare x y --report ", "a.txt", "that of a page; expected a name in .html"},
@@ -147,7 +148,8 @@ TEST(CommandLine, AFileThatIsReadIsNotWritten) {
           "record " + scenario + " --state " + flight + " -o " + flight}) {
         const Outcome outcome = run(command);
         EXPECT_EQ(outcome.exit_code, 2) << command;
-        EXPECT_THAT(outcome.errors, HasSubstr("it is read, too; expected the name of another file")) << command;
+        EXPECT_THAT(outcome.errors, HasSubstr("it is read, too; expected the name of another file"))
+            << command;
         EXPECT_EQ(bytes_of(flight), before) << command;
     }
     EXPECT_EQ(run("replay " + flight + " --hashes --save-state " + folder.file("s")).exit_code, 2);

@@ -286,6 +286,20 @@ TEST(Mounds, StandEachInItsSquareOnTheGround) {
         EXPECT_GT(face.normal.z, 0) << "seen from above";
 }
 
+/// A base of three corners may not reach as far as its top leans: the top then stands over the base's middle.
+TEST(Mounds, LeanOverNoSideOfTheirs) {
+    for (const std::string seed : {"1", "2", "3", "4"}) {
+        const VisualDatabase d =
+            compiled("[[mounds]]\nname = \"m\"\nlist = \"list\"\ncolour = \"grey\"\nfrom_m = [0, 0, 0]\n"
+                     "to_m = [400, 400, 0]\nspacing_m = 20\nradius_m = [4, 9]\nheight_m = [1, 3]\n"
+                     "least_sides = 3\ngreatest_sides = 3\nseed = " +
+                     seed + "\n");
+        EXPECT_GE(d.faces.size(), 20U * 20U * 3U);
+        for (const Face& face : d.faces)
+            EXPECT_GT(face.normal.z, 0);
+    }
+}
+
 TEST(Mounds, StandInStaggeredRows) {
     const VisualDatabase d =
         compiled("[[mounds]]\nname = \"m\"\nlist = \"list\"\ncolour = \"grey\"\nfrom_m = [0, 0, 0]\n"

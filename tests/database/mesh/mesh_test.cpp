@@ -12,6 +12,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 namespace linkdig::database {
@@ -228,6 +232,124 @@ TEST(Meshes, OutAndInAgainAreTheSameFaces) {
             objects.push_back(object.name);
         EXPECT_THAT(objects, testing::UnorderedElementsAre("thing.a", "thing.b"));
     }
+}
+
+/// What a reader of glTF that knows nothing of ours finds in a file: triangles, and how many of them face the way that
+/// their normals say.
+struct Gltf {
+    explicit Gltf(const std::string& path) {
+        std::ifstream(path) >> json;
+        const std::string name = json["buffers"][0]["uri"];
+        std::ifstream file(std::filesystem::path(path).parent_path() / name, std::ios::binary);
+        bytes.assign(std::istreambuf_iterator<char>(file), {});
+        for (const auto& mesh : json["meshes"])
+            for (const auto& part : mesh["primitives"])
+                count(part);
+    }
+
+    nlohmann::json json;
+    std::vector<char> bytes;
+    std::size_t triangles = 0, against = 0;
+    Vec3d least{1e9}, greatest{-1e9};
+
+private:
+    template <typename Number>
+    Number number(const nlohmann::json& accessor, std::size_t i) const {
+        const auto& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+        Number value{};
+        std::memcpy(&value,
+                    bytes.data() + view.value("byteOffset", std::size_t{0}) +
+                        accessor.value("byteOffset", std::size_t{0}) + i * sizeof(Number),
+                    sizeof(Number));
+        return value;
+    }
+    std::size_t index(const nlohmann::json& accessor, std::size_t i) const {
+        return accessor["componentType"] == 5123 ? number<std::uint16_t>(accessor, i)
+                                                 : number<std::uint32_t>(accessor, i);
+    }
+    Vec3d vector(const nlohmann::json& accessor, std::size_t i) const {
+        return {number<float>(accessor, 3 * i), number<float>(accessor, 3 * i + 1),
+                number<float>(accessor, 3 * i + 2)};
+    }
+    void count(const nlohmann::json& part) {
+        ASSERT_EQ(part.value("mode", 4), 4);
+        const auto& accessors = json["accessors"];
+        const auto& indices = accessors[part["indices"].get<std::size_t>()];
+        const auto& places = accessors[part["attributes"]["POSITION"].get<std::size_t>()];
+        const auto& normals = accessors[part["attributes"]["NORMAL"].get<std::size_t>()];
+        for (std::size_t i = 0; i + 2 < indices["count"].get<std::size_t>(); i += 3) {
+            std::array<Vec3d, 3> corners{};
+            Vec3d normal{0};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t corner = index(indices, i + k);
+                ASSERT_LT(corner, places["count"].get<std::size_t>());
+                corners[k] = vector(places, corner);
+                normal += vector(normals, corner);
+                least = glm::min(least, corners[k]);
+                greatest = glm::max(greatest, corners[k]);
+            }
+            ++triangles;
+            const Vec3d across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+            if (glm::dot(across, normal) < 0.0) ++against;
+        }
+    }
+};
+
+/// A whole database with ships, land and lights goes out, and is the same to two readers: Assimp, and the one above.
+TEST(Meshes, AShippedDatabaseGoesOutAsItIs) {
+    const CompileResult compiled = compile_file(LINKDIG_SOURCE_DIR "/database/scenes/pier/pier.toml");
+    ASSERT_TRUE(compiled.database) << messages(compiled);
+    const DatabaseMesh made = mesh_of(*compiled.database);
+    EXPECT_EQ(made.faces + made.at_infinity, compiled.database->faces.size());
+    const ScratchFolder folder;
+    write_mesh(made.mesh, folder.path() + "/out.gltf");
+    std::size_t triangles = 0;
+    Vec3d least{1e9}, greatest{-1e9};
+    for (const MeshNode& node : made.mesh.nodes)
+        for (const MeshFace& face : node.faces) {
+            triangles += face.corners.size() - 2;
+            for (const std::uint32_t corner : face.corners) {
+                least = glm::min(least, node.points[corner]);
+                greatest = glm::max(greatest, node.points[corner]);
+            }
+        }
+    const Gltf other(folder.path() + "/out.gltf");
+    EXPECT_EQ(other.triangles, triangles);
+    EXPECT_LT(glm::distance(other.least, least) + glm::distance(other.greatest, greatest), 1e-2);
+    // Smooth-shaded slivers, and water walls whose authored normals lean out of their faces, may seem turned.
+    EXPECT_LT(other.against, triangles / 50);
+    ASSERT_EQ(other.json["materials"].size(), made.mesh.materials.size());
+    for (std::size_t i = 0; i < made.mesh.materials.size(); ++i) {
+        const auto& material = other.json["materials"][i];
+        EXPECT_EQ(material["name"], made.mesh.materials[i].name);
+        EXPECT_EQ(material.value("doubleSided", false), made.mesh.materials[i].two_sided);
+        EXPECT_EQ(material["pbrMetallicRoughness"]["metallicFactor"], 0.0);
+    }
+    const MeshResult again = read_mesh(folder.path() + "/out.gltf");
+    ASSERT_TRUE(again.mesh) << again.error;
+    std::size_t read = 0;
+    for (const MeshNode& node : again.mesh->nodes)
+        for (const MeshFace& face : node.faces)
+            read += face.corners.size() - 2;
+    EXPECT_EQ(read, triangles);
+}
+
+TEST(Meshes, OpacityGoesOutAndComesBack) {
+    const Scene scene_of;
+    const CompileResult first =
+        scene_of.compile("[[object]]\nname = \"a\"\nlist = \"list\"\ncolour = \"grey\"\nopacity = 0.5\n"
+                         "[[object.box]]\nfrom_m = [-5, -2, 0]\nto_m = [5, 2, 1.25]\n");
+    ASSERT_TRUE(first.database) << messages(first);
+    write_mesh(mesh_of(*first.database).mesh, scene_of.folder.path() + "/out.gltf");
+    const Gltf other(scene_of.folder.path() + "/out.gltf");
+    EXPECT_EQ(other.json["materials"][0]["alphaMode"], "BLEND");
+    EXPECT_EQ(other.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"][3], 0.5);
+    const CompileResult second = scene_of.compile(mesh_table("out.gltf", "unit = \"m\"\n"));
+    ASSERT_TRUE(second.database) << messages(second);
+    EXPECT_EQ(second.database->faces.at(0).opacity, 128);
+    const CompileResult opaque = scene_of.compile(mesh_table("out.gltf", "unit = \"m\"\nopacity = 1\n"));
+    ASSERT_TRUE(opaque.database) << messages(opaque);
+    EXPECT_EQ(opaque.database->faces.at(0).opacity, 256);
 }
 
 TEST(Meshes, TheSameFileGivesTheSameBytes) {

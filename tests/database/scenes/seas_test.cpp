@@ -42,7 +42,8 @@ TEST(Seas, EachGivesTheListAndTheClusterThatShipsFloatOn) {
 /// The ray caster's check at length takes shipped databases: each sea is in one, or nothing holds it against anything.
 TEST(Seas, EachIsInADatabaseThatIsShipped) {
     std::set<std::string> shipped;
-    for (const fs::directory_entry& each : fs::directory_iterator(LINKDIG_SOURCE_DIR "/database/scenes/report")) {
+    for (const fs::directory_entry& each :
+         fs::directory_iterator(LINKDIG_SOURCE_DIR "/database/scenes/report")) {
         if (!each.path().stem().string().ends_with("_database")) continue;
         const CompileResult result = compile_file(each.path().string());
         EXPECT_TRUE(result.database) << messages(result);
