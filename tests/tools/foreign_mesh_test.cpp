@@ -52,10 +52,10 @@ TEST(ForeignMesh, GoesFromGltfToPicturesAndBack) {
     ASSERT_TRUE(opened.database);
 
     CheckRequest request;
-    request.views = 10;
+    request.views = 40;
     request.raster = {256, 256, ig::Scan::horizontal};
     const CheckResult result = check_database(*opened.database, request);
-    EXPECT_GT(result.interior, 100000U);
+    EXPECT_GT(result.interior, 400000U);
     EXPECT_EQ(result.wrong, 0U);
     const std::size_t before = drawn(*opened.database);
     EXPECT_GT(before, 200U * 150U / 8U);

@@ -59,10 +59,19 @@ PreviewSubject subject_of(const VisualDatabase& database, const std::string& nam
     return subject;
 }
 
-/// Flat and static: a sea without tiles, land. Seen as a whole it shows little.
-bool is_field(const PreviewSubject& subject) {
-    const Vec3d& half = subject.half_extent_m;
-    return subject.moving_object == none && half.z < 0.03 * std::min(half.x, half.y);
+double half_width(const PreviewSubject& subject) {
+    return std::min(subject.half_extent_m.x, subject.half_extent_m.y);
+}
+
+/// Flat: a sea without tiles, land. Seen as a whole it shows little.
+bool is_field(const PreviewSubject& subject) { return subject.half_extent_m.z < 0.03 * half_width(subject); }
+
+/// Where a field is seen from: low over it, but the higher and the farther back the wider it is, so that ranges of hills show,
+/// and not one slope.
+Vec3d over_field(const PreviewSubject& subject, const Vec3d& level) {
+    const double height_m = std::max(low_height_m, 0.04 * half_width(subject));
+    return subject.centre_m + Vec3d(0.0, 0.0, subject.half_extent_m.z + height_m) +
+           0.6 * half_width(subject) * level;
 }
 
 bool is_endless(const PreviewSubject& subject) { return subject.half_extent_m == Vec3d(0); }
@@ -145,10 +154,7 @@ FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject&
     Vec3d aim = subject.centre_m;
     if (is_field(subject) && view.elevation_deg < 60.0) {
         const Vec3d level = glm::normalize(Vec3d(outward.x, outward.y, 0.0));
-        const double back_m =
-            std::min(300.0, 0.6 * std::min(subject.half_extent_m.x, subject.half_extent_m.y));
-        channel.eye_m =
-            subject.centre_m + Vec3d(0.0, 0.0, subject.half_extent_m.z + low_height_m) + back_m * level;
+        channel.eye_m = over_field(subject, level);
         aim = channel.eye_m - Vec3d(level.x, level.y, 0.12);
     } else if (is_endless(subject)) {
         channel.eye_m = Vec3d(0.0, 0.0, low_height_m);
