@@ -1,5 +1,6 @@
 // Damaged files: each is refused with a reason; if somebody made the hash fit, it is refused or harmless.
 
+#include "database/compiler/compile.h"
 #include "database/format/dump.h"
 #include "database/format/file_header.h"
 #include "database/format/read.h"
@@ -148,6 +149,35 @@ TEST(Damage, EveryBitWithTheHashRepairedIsRefusedOrHarmless) {
         file[bit / 8] ^= mask;
     }
     EXPECT_GT(refused, 1000);
+}
+
+/// The same of a file that is shipped, lights, tile, planes and all: too many bits for each of them, so a seeded sample.
+TEST(Damage, OfAShippedDatabaseToo) {
+    const CompileResult compiled =
+        compile_file(LINKDIG_SOURCE_DIR "/database/scenes/runway_lights/runway_lights.toml");
+    ASSERT_TRUE(compiled.database);
+    Bytes file = encode_database(*compiled.database);
+    constexpr std::uint64_t sample = 2000, seed = 9;
+    int refused = 0, read_anyway = 0;
+    for (std::uint64_t i = 0; i < sample; ++i) {
+        const std::size_t bit = random_bits(seed, i) % (8 * file.size());
+        const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
+        file[bit / 8] ^= mask;
+        expect_refused(file, "bit " + std::to_string(bit));
+        if (bit / 8 >= header_bytes) { // the header's own words are checked one by one, above
+            Bytes sealed = file;
+            seal_header(sealed);
+            const ReadResult read = decode_database(sealed);
+            EXPECT_NE(read.database.has_value(), !read.error.empty()) << bit;
+            ++(read.database ? read_anyway : refused);
+        }
+        file[bit / 8] ^= mask;
+        const std::size_t length = random_bits(seed + 1, i) % file.size();
+        expect_refused(std::span(file).first(length), std::to_string(length) + " bytes");
+    }
+    EXPECT_GT(refused, 100);
+    EXPECT_GT(read_anyway, 100);
+    EXPECT_TRUE(decode_database(file).database);
 }
 
 } // namespace

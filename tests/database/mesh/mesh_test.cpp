@@ -187,6 +187,14 @@ TEST(Meshes, MistakesAreTold) {
                 HasSubstr("stands without \"slot\""));
 }
 
+TEST(Meshes, AFileOfAGigabyteIsRefusedUnread) {
+    const Scene scene_of;
+    scene_of.folder.write("huge.glb", "");
+    std::filesystem::resize_file(scene_of.folder.path() + "/huge.glb", std::uintmax_t{1} << 30U); // sparse
+    EXPECT_THAT(scene_of.said(mesh_table("huge.glb")),
+                HasSubstr("huge.glb\": it has 1024 MiB, more than 256"));
+}
+
 TEST(Meshes, AMissingBufferIsNamed) {
     const Scene scene_of;
     scene_of.folder.write("g.gltf",
