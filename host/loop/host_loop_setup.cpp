@@ -129,6 +129,7 @@ void HostLoop::place_ships(const Scenario& scenario, const Binding& binding) {
     packet_.substitutions.reserve(rows);
     packet_.priorities.reserve(ships_.size());
     packet_.wakes.reserve(2 * ships_.size());
+    packet_.quays = scenario.quays;
 }
 
 /// A ship that keeps station follows her leader's track, a fixed place off it.

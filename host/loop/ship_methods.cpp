@@ -34,6 +34,10 @@ void point_sequence(const MaybeSlot& slot, const FaceSequence& sequence, bool sh
     point(slot, shown ? sequence.index(frame) + nothing : 0, packet);
 }
 
+std::int32_t index_or_none(const std::optional<std::uint32_t>& index) {
+    return index ? static_cast<std::int32_t>(*index) : none;
+}
+
 Signal signal_of(Wake wake) {
     if (wake == Wake::kelvin) return Signal::kelvin;
     if (wake == Wake::wave_particles) return Signal::wave_particles;
@@ -122,19 +126,20 @@ void ShipMethods::put_made_wakes(const SignalValues& signals, double speed_mps, 
     const auto ask = [&](Wake wake, WakeMethod method, const std::optional<std::uint32_t>& list,
                          std::uint32_t faces) {
         if (!shows(wake, signals)) return;
-        packet.wakes.push_back(
-            {.list = *list,
-             .moving_object = *slots_.moving_object,
-             .method = method,
-             .heights = water.heights,
-             .colour = *slots_.wake_light,
-             .most_faces = faces,
-             .age_s = static_cast<float>(water.kelvin_age_s),
-             .strength = static_cast<float>(water.strength),
-             .speed_mps = static_cast<float>(speed_mps),
-             .length_m = static_cast<float>(water.length_m),
-             .beam_m = static_cast<float>(water.beam_m),
-             .hull = method == WakeMethod::wave_particles ? static_cast<std::int32_t>(*slots_.hull) : none});
+        const bool of_hull = method == WakeMethod::wave_particles;
+        packet.wakes.push_back({.list = *list,
+                                .moving_object = *slots_.moving_object,
+                                .method = method,
+                                .heights = water.heights,
+                                .colour = *slots_.wake_light,
+                                .most_faces = faces,
+                                .age_s = static_cast<float>(water.kelvin_age_s),
+                                .strength = static_cast<float>(water.strength),
+                                .speed_mps = static_cast<float>(speed_mps),
+                                .length_m = static_cast<float>(water.length_m),
+                                .beam_m = static_cast<float>(water.beam_m),
+                                .hull = of_hull ? index_or_none(slots_.hull) : none,
+                                .hull_above = of_hull ? index_or_none(slots_.hull_above) : none});
     };
     ask(Wake::kelvin, WakeMethod::kelvin, slots_.kelvin, water.kelvin_faces);
     ask(Wake::wave_particles, WakeMethod::wave_particles, slots_.wave_particles, water.particle_faces);

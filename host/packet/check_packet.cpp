@@ -215,6 +215,8 @@ std::string check_wake(const FramePacket& packet, std::size_t i, const PacketLim
         reason = fmt::format("wakes[{}].method is none of kelvin, wave_particles", i);
     if (reason.empty() && (wake.method == WakeMethod::wave_particles || wake.hull != none))
         reason = check_index({table, i, "hull"}, wake.hull, limits.lists, "lists");
+    if (reason.empty() && wake.hull_above != none)
+        reason = check_index({table, i, "hull_above"}, wake.hull_above, limits.lists, "lists");
     struct Bound {
         std::string_view member;
         double value, least, greatest;
@@ -232,6 +234,21 @@ std::string check_wake(const FramePacket& packet, std::size_t i, const PacketLim
 std::string check_wakes(const FramePacket& packet, const PacketLimits& limits) {
     for (std::size_t i = 0; i < packet.wakes.size(); ++i)
         if (std::string reason = check_wake(packet, i, limits); !reason.empty()) return reason;
+    return {};
+}
+
+std::string check_quays(const FramePacket& packet, const PacketLimits&) {
+    if (packet.quays.size() > max_quays)
+        return fmt::format("quays has {} rows; expected at most {}", packet.quays.size(), max_quays);
+    for (std::size_t i = 0; i < packet.quays.size(); ++i) {
+        const Quay& quay = packet.quays[i];
+        std::string reason = check_place({"quays", i, "from_m"}, Vec3d(quay.from_m, 0.0));
+        if (reason.empty()) reason = check_place({"quays", i, "to_m"}, Vec3d(quay.to_m, 0.0));
+        if (!reason.empty()) return reason;
+        const Vec2d along = quay.to_m - quay.from_m;
+        if (along.x * along.x + along.y * along.y < least_quay_m * least_quay_m)
+            return fmt::format("quays[{}] has no length; expected {} m at least", i, least_quay_m);
+    }
     return {};
 }
 
@@ -281,9 +298,9 @@ PacketLimits packet_limits(const VisualDatabase& database, std::uint64_t databas
 }
 
 std::string check_packet(const FramePacket& packet, const PacketLimits& limits) {
-    for (const auto& check :
-         {check_channels, check_suns, check_lighting, check_moving_objects, check_substitutions,
-          check_normal_updates, check_priorities, check_host_values, check_wakes, check_environment})
+    for (const auto& check : {check_channels, check_suns, check_lighting, check_moving_objects,
+                              check_substitutions, check_normal_updates, check_priorities, check_host_values,
+                              check_wakes, check_quays, check_environment})
         if (std::string reason = check(packet, limits); !reason.empty()) return reason;
     return {};
 }

@@ -31,6 +31,8 @@ inline constexpr double max_time_s = 1e12;
 inline constexpr double max_lod_bias = 16.0;
 inline constexpr double most_wake_faces = 100000.0;
 inline constexpr double most_wake_age_s = 600.0;
+inline constexpr std::size_t max_quays = 64;
+inline constexpr double least_quay_m = 0.01;
 
 /// Empty: it can be drawn. Else the first thing that is wrong, by the field's name: "channels[0].eye_m is not
 /// finite". Takes no memory while nothing is wrong. A slot or list that stands twice in its table takes the

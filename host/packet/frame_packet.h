@@ -100,7 +100,15 @@ struct WakeRequest {
     float speed_mps = 0.0F;          ///< through the water, along the heading
     float length_m = 160.0F;         ///< of the waterline, its middle at the moving object's position
     float beam_m = 20.0F;
-    std::int32_t hull = none; ///< wave_particles: the list whose faces are the hull in the water
+    std::int32_t hull = none; ///< wave_particles: the list whose faces are the hull below her waterline
+    /// wave_particles: the list with her sides above it, which are in the water when she rolls, pitches and heaves; none: she has none
+    std::int32_t hull_above = none;
+};
+
+/// A straight wall in the water, from which the waves of wave particles come back. World, metres.
+struct Quay {
+    Vec2d from_m{0.0};
+    Vec2d to_m{0.0};
 };
 
 struct FramePacket {
@@ -128,6 +136,7 @@ struct FramePacket {
     std::vector<ClusterPriority> priorities;
     std::vector<HostValue> host_values;
     std::vector<WakeRequest> wakes; ///< those that are there in this frame
+    std::vector<Quay> quays;
 };
 
 } // namespace linkdig

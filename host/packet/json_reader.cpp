@@ -21,8 +21,10 @@ std::optional<double> not_finite(const Json& json) {
 
 template <typename Vector>
 void read_vector(const Json& json, const std::string& field, Vector& value) {
-    if (!json.is_array() || json.size() != 3) throw JsonMistake(field, "expected an array of three numbers");
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    constexpr auto axes = static_cast<std::size_t>(Vector::length());
+    if (!json.is_array() || json.size() != axes)
+        throw JsonMistake(field, fmt::format("expected an array of {} numbers", axes == 2 ? "two" : "three"));
+    for (std::size_t axis = 0; axis < axes; ++axis)
         read_value(json[axis], fmt::format("{}[{}]", field, axis), value[static_cast<int>(axis)]);
 }
 
@@ -78,6 +80,7 @@ void read_value(const Json& json, const std::string& field, float& value) {
     value = static_cast<float>(wide);
 }
 
+void read_value(const Json& json, const std::string& field, Vec2d& value) { read_vector(json, field, value); }
 void read_value(const Json& json, const std::string& field, Vec3f& value) { read_vector(json, field, value); }
 void read_value(const Json& json, const std::string& field, Vec3d& value) { read_vector(json, field, value); }
 

@@ -25,6 +25,7 @@ void read_value(const Json& json, const std::string& field, bool& value);
 void read_value(const Json& json, const std::string& field, std::string& value);
 void read_value(const Json& json, const std::string& field, double& value);
 void read_value(const Json& json, const std::string& field, float& value);
+void read_value(const Json& json, const std::string& field, Vec2d& value);
 void read_value(const Json& json, const std::string& field, Vec3f& value);
 void read_value(const Json& json, const std::string& field, Vec3d& value);
 void read_value(const Json& json, const std::string& field, ShadingMethod& value);

@@ -24,6 +24,7 @@ Json json_of(double value);
 Json json_of(float value);
 Json json_of(ShadingMethod method);
 Json json_of(WakeMethod method);
+inline Json json_of(const Vec2d& v) { return Json::array({json_of(v.x), json_of(v.y)}); }
 inline Json json_of(const Vec3f& v) { return Json::array({json_of(v.x), json_of(v.y), json_of(v.z)}); }
 inline Json json_of(const Vec3d& v) { return Json::array({json_of(v.x), json_of(v.y), json_of(v.z)}); }
 template <typename Struct>

@@ -45,7 +45,7 @@ std::uint64_t most_bytes(const FramePacket& p) {
         p.lighting.size() * sizeof(ListLighting) + p.moving_objects.size() * sizeof(stored::MovingObject) +
         p.substitutions.size() * sizeof(Substitution) + p.priorities.size() * sizeof(ClusterPriority) +
         p.host_values.size() * sizeof(stored::HostValue) + p.colours.size() * sizeof(Colour) +
-        p.wakes.size() * sizeof(stored::WakeRequest);
+        p.wakes.size() * sizeof(stored::WakeRequest) + p.quays.size() * sizeof(stored::Quay);
     for (const VertexNormalUpdate& update : p.normal_updates)
         bytes += sizeof(stored::VertexNormalUpdate) + update.normals.size() * sizeof(Vec3f);
     return bytes;
@@ -87,7 +87,8 @@ bool copy_tables(const stored::FramePacket& from, FramePacket& to) {
            unflatten(from, to.normal_updates) &&
            (from.priorities() == nullptr || copy_rows(*from.priorities(), to.priorities)) &&
            (from.host_values() == nullptr || copy_rows(*from.host_values(), to.host_values)) &&
-           (from.wakes() == nullptr || copy_rows(*from.wakes(), to.wakes));
+           (from.wakes() == nullptr || copy_rows(*from.wakes(), to.wakes)) &&
+           (from.quays() == nullptr || copy_rows(*from.quays(), to.quays));
 }
 
 void copy_numbers(const stored::FramePacket& from, FramePacket& to) {
@@ -140,6 +141,8 @@ std::vector<std::uint8_t> encode_packet(const FramePacket& packet) {
     if (!packet.host_values.empty()) host_values = stored_rows(builder, packet.host_values);
     flatbuffers::Offset<flatbuffers::Vector<const stored::WakeRequest*>> wakes;
     if (!packet.wakes.empty()) wakes = stored_rows(builder, packet.wakes);
+    flatbuffers::Offset<flatbuffers::Vector<const stored::Quay*>> quays;
+    if (!packet.quays.empty()) quays = stored_rows(builder, packet.quays);
     const stored::Vec3 sky = to_stored(packet.sky);
     const stored::SeaParameters sea = to_stored(packet.sea);
     // A float or double that equals the schema's default (0) is left out, and -0 equals 0.
@@ -148,7 +151,7 @@ std::vector<std::uint8_t> encode_packet(const FramePacket& packet) {
         builder, packet.frame, packet.time_s, packet.database_id, channels, suns, lighting, moving_objects,
         substitutions, normal_updates, normals, packet.lod_bias, packet.visibility_m, &sky,
         packet.time_of_day_h, &sea, packet.seed, packet.discontinuity, colours, packet.light_points,
-        priorities, host_values, wakes);
+        priorities, host_values, wakes, quays);
     stored::FinishFramePacketBuffer(builder, root);
     return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }

@@ -88,6 +88,12 @@ void fields(auto& visit, Is<WakeRequest> auto& wake) {
     visit("length_m", wake.length_m);
     visit("beam_m", wake.beam_m);
     visit("hull", wake.hull);
+    visit("hull_above", wake.hull_above);
+}
+
+void fields(auto& visit, Is<Quay> auto& quay) {
+    visit.required("from_m", quay.from_m);
+    visit.required("to_m", quay.to_m);
 }
 
 void fields(auto& visit, Is<SeaParameters> auto& sea) {
@@ -118,6 +124,7 @@ void fields(auto& visit, Is<FramePacket> auto& packet) {
     visit("priorities", packet.priorities);
     visit("host_values", packet.host_values);
     visit("wakes", packet.wakes);
+    visit("quays", packet.quays);
 }
 
 inline constexpr const char* shading_method_names[] = {"as_modelled", "no_smooth"};

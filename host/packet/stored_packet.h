@@ -77,7 +77,8 @@ inline stored::WakeRequest to_stored(const WakeRequest& w) {
     return {w.list,     w.moving_object, static_cast<std::uint32_t>(w.method),
             w.colour,   w.most_faces,    w.age_s,
             w.strength, w.speed_mps,     w.length_m,
-            w.beam_m,   w.hull,          w.heights};
+            w.beam_m,   w.hull,          w.hull_above,
+            w.heights};
 }
 /// A method that is no byte becomes 255, which check_packet() refuses.
 inline WakeRequest from_stored(const stored::WakeRequest& w) {
@@ -92,8 +93,15 @@ inline WakeRequest from_stored(const stored::WakeRequest& w) {
             .speed_mps = w.speed_mps(),
             .length_m = w.length_m(),
             .beam_m = w.beam_m(),
-            .hull = w.hull()};
+            .hull = w.hull(),
+            .hull_above = w.hull_above()};
 }
+
+inline stored::Vec2Double to_stored(const Vec2d& v) { return {v.x, v.y}; }
+inline Vec2d from_stored(const stored::Vec2Double& v) { return {v.x(), v.y()}; }
+
+inline stored::Quay to_stored(const Quay& q) { return {to_stored(q.from_m), to_stored(q.to_m)}; }
+inline Quay from_stored(const stored::Quay& q) { return {from_stored(q.from_m()), from_stored(q.to_m())}; }
 
 inline stored::SeaParameters to_stored(const SeaParameters& s) {
     return {s.state, s.current_east_mps, s.current_north_mps};

@@ -25,6 +25,12 @@ std::string without(const MaybeSlot& slot, const std::string& name, std::uint32_
     return {};
 }
 
+std::optional<std::uint32_t> either_list(const NameDirectory& directory, const std::string& first,
+                                         const std::string& second) {
+    const auto found = directory.find_list(first);
+    return found ? found : directory.find_list(second);
+}
+
 std::string without_list(const std::optional<std::uint32_t>& list, const std::string& name) {
     return list ? std::string() : fmt::format("the list \"{}\"", name);
 }
@@ -73,6 +79,7 @@ ShipSlots ship_slots(const std::string& ship, const NameDirectory& directory) {
                     .kelvin = directory.find_list(ship + ".kelvin"),
                     .wave_particles = directory.find_list(ship + ".wave_particles"),
                     .hull = directory.find_list(ship + ".hull_below"),
+                    .hull_above = either_list(directory, ship + ".topsides", ship + ".ship"),
                     .wake_light = directory.find_colour("wake light"),
                     .cluster = {},
                     .number_behind_sea = {}};

@@ -30,6 +30,7 @@ struct ShipSlots {
     std::optional<std::uint32_t> moving_object;           ///< the ship's own row
     std::optional<std::uint32_t> kelvin, wave_particles;  ///< lists that the machine fills
     std::optional<std::uint32_t> hull;                    ///< the list of what is below the waterline
+    std::optional<std::uint32_t> hull_above;              ///< and of her sides above it
     std::optional<std::uint32_t> wake_light;              ///< colour code of their faces
     std::optional<std::uint32_t> cluster;                 ///< that rides on the ship
     std::optional<std::int32_t> number_behind_sea;        ///< a cluster of this number comes after the sea

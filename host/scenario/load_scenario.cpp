@@ -55,6 +55,7 @@ ScenarioResult load_scenario(const std::string& path) {
     read_approaches(root, scenario);
     read_channels(root, scenario);
     read_sea(root, scenario);
+    read_quays(root, scenario);
     read_sky(root, scenario);
     root.finish();
     if (!result.diagnostics.any()) result.scenario = std::move(scenario);

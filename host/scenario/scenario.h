@@ -4,7 +4,7 @@
 ///
 /// In the file headings and azimuths are degrees clockwise from north, speeds knots, lengths metres or feet:
 /// [scenario], [suns.NAME], [[ship]] with [ship.track], [ship.motion], [ship.cam], [ship.water], [[sequence]], [[approach]], [own_ship],
-/// [[channel]], [sea], [sky].
+/// [[channel]], [sea], [[quay]], [sky].
 
 #include "database/model/mathematics.h"
 #include "database/text/diagnostic.h"
@@ -168,7 +168,8 @@ struct Scenario {
     std::vector<ApproachSection> approaches; ///< ascending by duration
     std::vector<ChannelSection> channels;
     OwnShipSection own_ship{};
-    double sea_state = 0.0; ///< the report's: 0, 1.5 ("1-2"), 3
+    std::vector<Quay> quays; ///< walls from which waves come back
+    double sea_state = 0.0;  ///< the report's: 0, 1.5 ("1-2"), 3
     SeaMethod sea_method = SeaMethod::sun;
     std::uint32_t normals_every = 1; ///< frames between two updates of the normals
     database::SourceLocation sea_method_at{};

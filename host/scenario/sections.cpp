@@ -166,6 +166,23 @@ void read_sea(TableReader& root, Scenario& scenario) {
     reader.finish();
 }
 
+void read_quays(TableReader& root, Scenario& scenario) {
+    for (const toml::table* table : root.tables("quay")) {
+        TableReader reader(*table, root.file(), "[[quay]]", root.diagnostics());
+        const std::size_t mistakes = reader.diagnostics().all().size();
+        const Quay quay{reader.point2_m("from"), reader.point2_m("to")};
+        reader.finish();
+        const Vec2d along = quay.to_m - quay.from_m;
+        if (reader.diagnostics().all().size() == mistakes &&
+            along.x * along.x + along.y * along.y < least_quay_m * least_quay_m)
+            reader.error_at("to_m", "the quay has no length; expected two different places");
+        scenario.quays.push_back(quay);
+    }
+    if (scenario.quays.size() > max_quays)
+        root.error_at("quay", fmt::format("the scenario has {} quays; expected at most {}",
+                                          scenario.quays.size(), max_quays));
+}
+
 void read_sky(TableReader& root, Scenario& scenario) {
     const toml::table* table = root.table("sky");
     if (table == nullptr) return;

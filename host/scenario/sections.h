@@ -24,6 +24,7 @@ void read_sequences(TableReader& root, Scenario& scenario);
 void read_approaches(TableReader& root, Scenario& scenario);
 void read_channels(TableReader& root, Scenario& scenario);
 void read_sea(TableReader& root, Scenario& scenario);
+void read_quays(TableReader& root, Scenario& scenario);
 void read_sky(TableReader& root, Scenario& scenario);
 
 /// The name under `key`, with its place.

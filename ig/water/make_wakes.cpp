@@ -1,7 +1,6 @@
 #include "ig/water/make_wakes.h"
 
 #include "ig/active/repeated_tile.h"
-#include "ig/water/wake_trail.h"
 
 #include <algorithm>
 
@@ -37,10 +36,12 @@ Wake& history_of(std::vector<Wake>& wakes, std::uint32_t list) {
 }
 
 ParticleWakeMaker& maker_for(const VisualDatabase& database, const WakeRequest& wake, WakeMakers& makers) {
-    const auto found = std::ranges::find_if(makers, [&](const auto& maker) { return maker->serves(wake); });
-    if (found != makers.end()) return **found;
-    makers.push_back(std::make_unique<ParticleWakeMaker>(database, wake));
-    return *makers.back();
+    const auto found =
+        std::ranges::find_if(makers.particles, [&](const auto& maker) { return maker->list() == wake.list; });
+    std::unique_ptr<ParticleWakeMaker>& maker =
+        found != makers.particles.end() ? *found : makers.particles.emplace_back();
+    if (!maker || !maker->serves(wake)) maker = std::make_unique<ParticleWakeMaker>(database, wake);
+    return *maker;
 }
 
 } // namespace
@@ -67,7 +68,7 @@ void make_wake_faces(const FramePacket& packet, History& history, WakeMakers& ma
         if (block == active.blocks.end()) continue;
         const std::size_t before = active.made_faces.size();
         if (const WakeTrail* const trail = find_wake(history.trails, wake.list)) {
-            make_trail_faces(wake, *trail, track_sample(wake, packet), active, *block);
+            make_trail_faces(wake, *trail, track_sample(wake, packet), makers.rows, active, *block);
         } else if (ParticleWake* const particles = find_wake(history.particle_wakes, wake.list)) {
             maker_for(*active.database, wake, makers).make_faces(wake, packet, *particles, active, *block);
             report.particles = static_cast<std::uint32_t>(particles->particles.size());

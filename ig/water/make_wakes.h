@@ -6,14 +6,18 @@
 #include "ig/active/face_block.h"
 #include "ig/active/history.h"
 #include "ig/water/particle_wake.h"
+#include "ig/water/wake_trail.h"
 
 #include <memory>
 #include <vector>
 
 namespace linkdig::ig {
 
-/// Memory and hulls of the wakes of wave particles; nothing in it but memory outlives a frame.
-using WakeMakers = std::vector<std::unique_ptr<ParticleWakeMaker>>;
+/// What making wakes takes: memory and hulls. Nothing in it but memory outlives a frame.
+struct WakeMakers {
+    std::vector<std::unique_ptr<ParticleWakeMaker>> particles; ///< one of a list
+    std::vector<WakeRow> rows;
+};
 
 /// Brings the wakes' part of the history up to the packet, which must have passed check_packet. A wake that a packet does not ask for
 /// is forgotten.

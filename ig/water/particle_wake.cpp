@@ -17,8 +17,10 @@ constexpr double grid_behind = 0.45; ///< its middle lies so many lengths abaft 
 constexpr double radius_cells = 2.0; ///< of a bump: its slopes then reach over four cells
 constexpr double particle_speed =
     4.0; ///< m/s; estimated: about half of a ship's, so that her waves form a narrow wedge
-constexpr double slope_part =
-    0.16; ///< of a sum's slope that is lit: bumps are steeper than the waves they stand for (estimated)
+constexpr double slope_part = 0.45; ///< of a sum's slope that is lit (estimated)
+constexpr double crest_light =
+    0.5; ///< straight up, of a crest that is crest_m high; a trough has none (estimated)
+constexpr double crest_m = 0.8;
 
 double cell_of(const WakeRequest& wake) {
     return grid_lengths * static_cast<double>(wake.length_m) / static_cast<double>(grid_side(wake));
@@ -29,7 +31,7 @@ WaveParticleKind kind_of(const WakeRequest& wake) {
     return {.speed_mps = particle_speed,
             .radius = radius,
             .least_amplitude = 0.004,
-            .lifetime_s = 9.0,
+            .lifetime_s = 16.0,
             .rise_m = 0.5 * radius,
             .most = most_particles};
 }
@@ -52,6 +54,22 @@ double turned_by(double from, double to) {
     return turn > pi ? turn - two_pi : turn;
 }
 
+/// Neither a slot's alternative nor a coarser level of what is there already.
+bool is_always_there(const VisualDatabase& database, const Object& object) {
+    if (object.slot != none) return false;
+    if (object.level == none) return true;
+    const auto level = static_cast<std::uint32_t>(object.level);
+    return database.details[database.detail_levels[level].detail].first_level == level;
+}
+
+/// What closes her sides at the waterline lies inside the whole hull.
+bool lies_on_waterline(const VisualDatabase& database, const Face& face) {
+    for (std::uint32_t k = 0; k < face.corner_count; ++k)
+        if (std::fabs(database.vertices[database.corners[face.first_corner + k]].position.z) > 0.01F)
+            return false;
+    return true;
+}
+
 /// 1 well inside the grid, 0 at its edge: measured from where its middle is, not from where its cells are, so that it moves evenly.
 double window(const Vec2d& off_middle, double half_side) {
     const double reach = std::max(std::fabs(off_middle.x), std::fabs(off_middle.y)) / half_side;
@@ -60,13 +78,16 @@ double window(const Vec2d& off_middle, double half_side) {
 
 } // namespace
 
-std::vector<HullTriangle> hull_of(const VisualDatabase& database, std::uint32_t list) {
+std::vector<HullTriangle> hull_of(const VisualDatabase& database, const WakeRequest& wake) {
     std::vector<HullTriangle> hull;
     for (const Face& face : database.faces) {
-        if (database.objects[face.object].list != list) continue;
+        const Object& object = database.objects[face.object];
+        const auto list = static_cast<std::int32_t>(object.list);
+        if (list != wake.hull && !(list == wake.hull_above && is_always_there(database, object))) continue;
+        if (list != wake.hull && lies_on_waterline(database, face)) continue;
         const auto corner = [&](std::uint32_t k) {
             const Vec4f& position = database.vertices[database.corners[face.first_corner + k]].position;
-            return Vec3d(position) + database.lists[list].origin_m;
+            return Vec3d(position) + database.lists[object.list].origin_m;
         };
         for (std::uint32_t k = 2; k < face.corner_count; ++k)
             hull.push_back({corner(0), corner(k - 1), corner(k)});
@@ -82,11 +103,11 @@ std::uint32_t grid_side(const WakeRequest& wake) {
 }
 
 ParticleWakeMaker::ParticleWakeMaker(const VisualDatabase& database, const WakeRequest& wake)
-    : list_(wake.list), hull_list_(wake.hull), length_m_(wake.length_m), faces_(wake.most_faces),
-      hull_(hull_of(database, static_cast<std::uint32_t>(wake.hull))), particles_(kind_of(wake)) {}
+    : list_(wake.list), hull_lists_{wake.hull, wake.hull_above}, length_m_(wake.length_m),
+      faces_(wake.most_faces), hull_(hull_of(database, wake)), particles_(kind_of(wake)) {}
 
 bool ParticleWakeMaker::serves(const WakeRequest& wake) const {
-    return list_ == wake.list && hull_list_ == wake.hull && length_m_ == wake.length_m &&
+    return hull_lists_ == std::array{wake.hull, wake.hull_above} && length_m_ == wake.length_m &&
            faces_ == wake.most_faces;
 }
 
@@ -118,7 +139,7 @@ void ParticleWakeMaker::follow(const WakeRequest& wake, const FramePacket& packe
         return;
     }
     particles_.exchange(history.particles);
-    if (gap > 0.0) particles_.advance(gap, {}, count_);
+    if (gap > 0.0) particles_.advance(gap, packet.quays, count_);
     history.time_s = packet.time_s;
     const double since = packet.time_s - history.born_s;
     if (since >= birth_interval_s) {
@@ -152,8 +173,10 @@ void ParticleWakeMaker::make_faces(const WakeRequest& wake, const FramePacket& p
             const Vec2d at = field.origin + field.cell * (Vec2d(column, row) + 0.5);
             const double part = static_cast<double>(wake.strength) * window(at - middle, half_side);
             const double height = static_cast<double>(field.heights[std::size_t{row} * side + column]);
+            const double crest = std::clamp(height / crest_m, 0.0, 1.0);
             active.made_vertices.push_back(lit_vertex(at - middle, wake.heights ? part * height : 0.0,
-                                                      slope_part * part * slope_at(field, column, row), 0.0));
+                                                      slope_part * part * slope_at(field, column, row),
+                                                      crest_light * part * crest));
         }
     make_mesh_faces(rows, static_cast<std::uint16_t>(wake.colour), 0, active);
     block.origin_m = Vec3d(middle, 0.0);

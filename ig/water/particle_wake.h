@@ -9,12 +9,12 @@
 
 namespace linkdig::ig {
 
-inline constexpr double birth_interval_s = 0.25;        ///< between two silhouettes
+inline constexpr double birth_interval_s = 0.5;         ///< between two silhouettes
 inline constexpr std::uint32_t silhouette_pixels = 32;  ///< a side
 inline constexpr std::uint32_t most_particles = 30'000; ///< of one ship
 
-/// Faces of a list as triangles of a hull, in the body's axes.
-std::vector<HullTriangle> hull_of(const VisualDatabase& database, std::uint32_t list);
+/// The faces of her hull below and above the waterline as triangles, in the body's axes.
+std::vector<HullTriangle> hull_of(const VisualDatabase& database, const WakeRequest& wake);
 
 /// Vertices along a side of the grid that the request's reserve allows.
 std::uint32_t grid_side(const WakeRequest& wake);
@@ -24,7 +24,9 @@ class ParticleWakeMaker {
 public:
     ParticleWakeMaker(const VisualDatabase& database, const WakeRequest& wake);
 
-    /// Does it still serve this request?
+    std::uint32_t list() const { return list_; }
+
+    /// Does it still serve this request for its list?
     bool serves(const WakeRequest& wake) const;
 
     /// Brings the particles up to the packet. They begin anew where the packet says that the scene jumped, where time went back, and
@@ -39,7 +41,7 @@ private:
     void give_birth(const MovingObject& ship, double duration_s, const ParticleWake& history);
 
     std::uint32_t list_;
-    std::int32_t hull_list_;
+    std::array<std::int32_t, 2> hull_lists_; ///< below and above the waterline
     float length_m_;
     std::uint32_t faces_;
     std::vector<HullTriangle> hull_;

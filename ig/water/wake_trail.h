@@ -36,9 +36,28 @@ struct WakePoint {
     double light = 0.0; ///< of foam, straight up; 0 to 1
 };
 
-/// The wave that left at an angle u (radians, positive to starboard) and stands in the row of T seconds.
-WakePoint wave_point(const WakeRequest& wake, const WakeTrail& trail, const TrackSample& now, double row_s,
-                     double row_step_s, double u_rad);
+/// A row of the mesh. Its edges are where neighbouring waves touch: 35.26 degrees off on a straight track, acos(sqrt(2/3)), elsewhere
+/// as the track bends, less on the outside of a turn and more on the inside. Between them lie the transverse waves, beyond them the
+/// diverging ones, and neither mesh folds over.
+struct WakeRow {
+    double row_s = 0.0;    ///< T
+    double step_s = 0.0;   ///< to the next
+    double low_rad = 0.0;  ///< angle of the waves at the port edge, negative
+    double high_rad = 0.0; ///< and at the starboard edge
+    double low_part =
+        1.0; ///< of the waves along the port edge: less where rows crowd, on the inside of a turn
+    double high_part = 1.0;
+};
+WakeRow wake_row(const WakeRequest& wake, const WakeTrail& trail, const TrackSample& now, double row_s,
+                 double step_s);
+
+/// The wave of a row that left at an angle u, radians, positive to starboard.
+WakePoint wave_point(const WakeRequest& wake, const WakeTrail& trail, const TrackSample& now,
+                     const WakeRow& row, double u_rad);
+
+/// Where light has ended beyond the starboard (`side` 1) or port edge (-1).
+WakePoint fringe_point(const WakeRequest& wake, const WakeTrail& trail, const TrackSample& now,
+                       const WakeRow& row, double side);
 
 /// Churned water that her stern left T seconds ago, `across` -1 (starboard edge) to 1 (port edge).
 WakePoint foam_point(const WakeRequest& wake, const WakeTrail& trail, const TrackSample& now, double row_s,
@@ -48,8 +67,8 @@ WakePoint foam_point(const WakeRequest& wake, const WakeTrail& trail, const Trac
 std::uint32_t trail_rows(const WakeRequest& wake);
 
 /// Makes the faces that are not dark, in the pools of `active`, for a block that stands in the world. At most
-/// `wake.most_faces`.
+/// `wake.most_faces`. `rows` is memory, kept from frame to frame.
 void make_trail_faces(const WakeRequest& wake, const WakeTrail& trail, const TrackSample& now,
-                      ActiveDatabase& active, FaceBlock& block);
+                      std::vector<WakeRow>& rows, ActiveDatabase& active, FaceBlock& block);
 
 } // namespace linkdig::ig

@@ -27,10 +27,10 @@ constexpr float bump_4 = 0.08425F;
 /// How much of the way from `from` to `to` lies before the quay; above 1 if they do not meet.
 double meeting(const Quay& quay, const Vec2d& from, const Vec2d& to) {
     const Vec2d way = to - from;
-    const Vec2d wall = quay.to - quay.from;
+    const Vec2d wall = quay.to_m - quay.from_m;
     const double turn = way.x * wall.y - way.y * wall.x;
     if (turn == 0.0) return 2.0;
-    const Vec2d between = quay.from - from;
+    const Vec2d between = quay.from_m - from;
     const double along_way = (between.x * wall.y - between.y * wall.x) / turn;
     const double along_wall = (between.x * way.y - between.y * way.x) / turn;
     return along_way > 0.0 && along_way <= 1.0 && along_wall >= 0.0 && along_wall <= 1.0 ? along_way : 2.0;
@@ -55,10 +55,10 @@ bool reflect(WaveParticle& particle, Vec2d from, std::span<const Quay> quays) {
             }
         }
         if (nearest == nullptr) return times > 0;
-        const Vec2d wall = glm::normalize(nearest->to - nearest->from);
+        const Vec2d wall = glm::normalize(nearest->to_m - nearest->from_m);
         const Vec2d normal(-wall.y, wall.x);
         from = from + (to - from) * part;
-        particle.source = nearest->from + mirrored(particle.source - nearest->from, normal);
+        particle.source = nearest->from_m + mirrored(particle.source - nearest->from_m, normal);
         particle.direction = mirrored(particle.direction, normal);
         last = nearest;
     }

@@ -2,6 +2,7 @@
 /// Waves as particles (Yuksel, House, Keyser: Wave Particles, SIGGRAPH 2007): each carries a bump of water along at a constant speed.
 
 #include "database/water/wave_field.h"
+#include "host/packet/frame_packet.h"
 #include "ig/active/wake_history.h"
 #include "ig/water/silhouette_pyramid.h"
 
@@ -10,12 +11,6 @@
 #include <vector>
 
 namespace linkdig::ig {
-
-/// A straight wall from which waves come back.
-struct Quay {
-    Vec2d from{0.0};
-    Vec2d to{0.0};
-};
 
 /// Of all particles of one water.
 struct WaveParticleKind {

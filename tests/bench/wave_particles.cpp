@@ -28,7 +28,7 @@ int main(int count, char** values) {
                    .dispersion_rad = 0.001},
                   happened);
     }
-    const std::vector<ig::Quay> quays{{{240, -300}, {240, 300}}, {{-240, -300}, {-240, 300}}};
+    const std::vector<Quay> quays{{{240, -300}, {240, 300}}, {{-240, -300}, {-240, 300}}};
     std::vector<double> times;
     const std::clock_t before = std::clock();
     for (int frame = 0; frame < frames; ++frame) {

@@ -5,6 +5,7 @@
 #include "host/loop/host_loop.h"
 #include "host/scenario/scenario.h"
 #include "ig/machine/machine.h"
+#include "tests/ig/wake_flight.h"
 #include "tests/support/allocation_count.h"
 
 #include <gtest/gtest.h>
@@ -66,6 +67,17 @@ TEST(Allocation, NoneAfterWarmUp) {
             }
         }
     }
+}
+
+TEST(Allocation, NoneAfterWarmUpWithWakesThatTheMachineMakes) {
+    // Twelve seconds of the ships' turn; going back to their first packet, wakes begin anew and become what they were.
+    const WakeFlight wakes = wake_flight(40.0, 12 * 15, 15.0);
+    for (const bool smoothing : {false, true})
+        EXPECT_EQ(allocations_of(
+                      {wakes.database, wakes.packets},
+                      {.raster = {160, 120, Scan::horizontal}, .edge_smoothing = smoothing, .threads = 1}),
+                  0U)
+            << "smoothing " << smoothing;
 }
 
 } // namespace

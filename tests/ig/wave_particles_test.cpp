@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 
 namespace linkdig::ig {
 namespace {
@@ -45,6 +47,43 @@ TEST(WaveParticles, SumToTheWaterThatTheyCarry) {
         volume += static_cast<double>(h) * grid.cell * grid.cell;
     EXPECT_NEAR(volume, 2.0 * water.water_of_unit(), 0.01 * volume);
     EXPECT_NEAR(static_cast<double>(std::ranges::max(field.heights)), 2.0, 0.02);
+}
+
+TEST(WaveParticles, KindsAndGridsWithoutExtentAreRefused) {
+    for (const WaveParticleKind& bad :
+         {WaveParticleKind{.speed_mps = 0.0}, WaveParticleKind{.radius = -1.0},
+          WaveParticleKind{.lifetime_s = std::numeric_limits<double>::quiet_NaN()}})
+        EXPECT_THROW(WaveParticles{bad}, std::invalid_argument);
+    WaveParticles water(kind);
+    for (const double cell : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+        EXPECT_THROW(water.surface({.size = 8, .cell = cell}), std::invalid_argument) << cell;
+    EXPECT_THROW(water.surface({.size = 0, .cell = 1.0}), std::invalid_argument);
+}
+
+TEST(WaveParticles, NormalsAreThoseOfTheBump) {
+    // h = (1 + cos(pi d / r)) / 2 has the slope -pi / (2 r) sin(pi d / r) away from its middle.
+    constexpr double radius = 40.0; // cells: differences between neighbours are then as good as the slope
+    WaveParticles water({.speed_mps = 5.0, .radius = radius, .least_amplitude = 1e-6});
+    WaveParticleCount count;
+    water.add({.source = {0.5, 0.5}, .amplitude = 8.0}, count);
+    const database::WaveField field = water.surface({.size = 128, .cell = 1.0, .centre = {0, 0}});
+    double inside = 0.0;
+    double at_rim = 0.0;
+    for (std::uint32_t row = 1; row < 127; ++row)
+        for (std::uint32_t column = 1; column < 127; ++column) {
+            const Vec2d off = field.origin + Vec2d(column, row) + Vec2d(0.5) - Vec2d(0.5);
+            const double d = glm::length(off);
+            const double steep =
+                d < radius && d > 0.0 ? -8.0 * pi / (2.0 * radius) * sine(pi * d / radius) / d : 0.0;
+            const Vec3d wanted = glm::normalize(Vec3d(-steep * off.x, -steep * off.y, 1.0));
+            const Vec3d made(database::normal_at(field, column, row));
+            EXPECT_NEAR(glm::length(made), 1.0, 1e-6);
+            double& greatest = std::fabs(d - radius) < 1.0 ? at_rim : inside;
+            greatest = std::max(greatest, glm::length(made - wanted));
+        }
+    // 0.2 % of the steepest slope, 8 pi / 80. Across the rim, where curvature begins at once, a difference is off by a quarter of it.
+    EXPECT_LT(inside, 0.002 * 8.0 * pi / 80.0);
+    EXPECT_LT(at_rim, 1.01 * 0.25 * 4.0 * (pi / radius) * (pi / radius));
 }
 
 TEST(WaveParticles, HaveTheRaisedCosineForABump) {

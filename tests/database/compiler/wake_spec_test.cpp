@@ -53,6 +53,10 @@ TEST(WakeSpec, MistakesAreToldWithTheirLine) {
                   "piece 2 begins at (1, 2); expected (30, 2)"},
              Case{boat + line + "[sampling]\npsi_per_cell = 10000.0\nu_steps = 1000000\n",
                   "samples; expected at most 2e+10"},
+             Case{boat + line + "[sampling]\nu_steps = 1000000000\n",
+                  ":11:11: error: \"u_steps\" is 1000000000; expected 2 to 1000000"},
+             Case{boat + "[[swimmer.path]]\nkind = \"line\"\npoints_m = [[0.0, 0.0], [1e9, 0.0]]\n",
+                  "samples; expected at most 2e+10"},
              Case{boat + line + "[sampling]\nkind = \"odd\"\n", "\"kind\" is \"odd\"; expected one of"},
          }) {
         EXPECT_THAT(mistakes(field + each.text), HasSubstr(each.told)) << each.text;

@@ -182,6 +182,19 @@ TEST(CheckPacket, Wakes) {
     });
 }
 
+TEST(CheckPacket, Quays) {
+    expect_told({
+        {"wakes[1].hull_above is 3, but the database has 3 lists",
+         [](auto& p) { p.wakes[1].hull_above = 3; }},
+        {"quays[1].to_m is not finite", [](auto& p) { p.quays[1].to_m.y = nan; }},
+        {"quays[0].from_m has the coordinate 20000000; expected no more than 10000000 m",
+         [](auto& p) { p.quays[0].from_m.x = 2e7; }},
+        {"quays[1] has no length; expected 0.01 m at least",
+         [](auto& p) { p.quays[1].to_m = p.quays[1].from_m; }},
+        {"quays has 65 rows; expected at most 64", [](auto& p) { p.quays.resize(65, p.quays[1]); }},
+    });
+}
+
 TEST(PacketLimits, AreTheSizesOfTheDatabasesTables) {
     VisualDatabase database;
     database.suns = {"a", "b", "c"};

@@ -70,7 +70,7 @@ TEST(PacketJson, ReadsAsTheStructsDo) {
         R"("ambient":0.3,"diffuse":1.0,"colour":-1,"method":"as_modelled"}],"moving_objects":[],)"
         R"("substitutions":[{"slot":0,"index":27}],"normal_updates":[],"lod_bias":0.0,"visibility_m":0.0,)"
         R"("sky":[0.6,0.72,0.86],"time_of_day_h":12.0,"colours":[],"light_points":1.0,)"
-        R"("sea":{"state":0.0,"current_east_mps":0.0,"current_north_mps":0.0},"seed":"0x0","discontinuity":false,"priorities":[],"host_values":[],"wakes":[]})");
+        R"("sea":{"state":0.0,"current_east_mps":0.0,"current_north_mps":0.0},"seed":"0x0","discontinuity":false,"priorities":[],"host_values":[],"wakes":[],"quays":[]})");
 }
 
 TEST(PacketJson, TakesDefaultsForWhatIsLeftOut) {

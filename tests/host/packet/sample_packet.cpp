@@ -44,7 +44,10 @@ public:
         add(p.wakes.size());
         for (const WakeRequest& w : p.wakes)
             add(w.list, w.moving_object, static_cast<int>(w.method), w.heights, w.colour, w.most_faces,
-                w.age_s, w.strength, w.speed_mps, w.length_m, w.beam_m, w.hull);
+                w.age_s, w.strength, w.speed_mps, w.length_m, w.beam_m, w.hull, w.hull_above);
+        add(p.quays.size());
+        for (const Quay& q : p.quays)
+            add(q.from_m.x, q.from_m.y, q.to_m.x, q.to_m.y);
     }
     std::vector<std::uint64_t> bits;
 
@@ -117,7 +120,8 @@ FramePacket sample_packet() {
                 .speed_mps = -2.5F,
                 .length_m = 171.5F,
                 .beam_m = 17.1F},
-               {.list = 2, .method = WakeMethod::wave_particles, .hull = 0}};
+               {.list = 2, .method = WakeMethod::wave_particles, .hull = 0, .hull_above = 1}};
+    p.quays = {{.from_m = {-0.0, 1e6}, .to_m = {5e-324, 0.1}}, {.from_m = {1, 2}, .to_m = {3, 4}}};
     return p;
 }
 
