@@ -3,6 +3,7 @@
 #include "tools/bench/live.h"
 #include "tools/bench/measure.h"
 #include "tools/bench/sea_methods.h"
+#include "tools/bench/wake_costs.h"
 #include "tools/subcommands.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ struct BenchArguments {
     std::uint32_t triangles = 20000;
     double live_hz = 0.0;
     bool sea_methods = false;
+    bool wakes = false;
     bool json = false;
 };
 
@@ -123,7 +125,32 @@ int run_sea_methods(const BenchArguments& arguments) {
     return costs.greatest_difference <= 1 ? ExitCode::done : ExitCode::differs;
 }
 
+int run_wakes(const BenchArguments& arguments) {
+    const std::vector<bench::WakeCost> costs =
+        bench::compare_wakes(arguments.measure.size, arguments.measure.threads, arguments.measure.smoothing,
+                             arguments.measure.frames);
+    if (arguments.json) {
+        nlohmann::json results = nlohmann::json::array();
+        for (const bench::WakeCost& cost : costs)
+            results.push_back({{"wakes", cost.made},
+                               {"wake_faces", cost.faces},
+                               {"particles", cost.particles},
+                               {"edges", cost.edges},
+                               {"making_ms", cost.making_ms},
+                               {"frame_ms", cost.frame_ms}});
+        fmt::print("{}\n", results.dump(2));
+        return ExitCode::done;
+    }
+    fmt::print("{:<16} {:>10} {:>10} {:>8} {:>10} {:>9}\n", "wakes", "wake faces", "particles", "edges",
+               "making ms", "frame ms");
+    for (const bench::WakeCost& cost : costs)
+        fmt::print("{:<16} {:>10} {:>10} {:>8} {:>10.3f} {:>9.3f}\n", cost.made, cost.faces, cost.particles,
+                   cost.edges, cost.making_ms, cost.frame_ms);
+    return ExitCode::done;
+}
+
 int run(const BenchArguments& arguments) {
+    if (arguments.wakes) return run_wakes(arguments);
     if (arguments.sea_methods) return run_sea_methods(arguments);
     const std::vector<std::string> scenes =
         arguments.scene == "all" ? bench::scene_names() : std::vector<std::string>{arguments.scene};
@@ -196,6 +223,8 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1.0, 1000.0));
     command->add_flag("--sea-methods", arguments->sea_methods,
                       "The sea moved by one sun vector against all vertex normals (report, 3.1.4)");
+    command->add_flag("--wakes", arguments->wakes,
+                      "Two ships' figure of eight with and without the wakes that the machine makes");
     command->add_flag("--json", arguments->json, "Print a list of objects");
     command->footer(
         "Frames are measured whole: packet in, pixels in memory. The share of scanline and video is summed\n"

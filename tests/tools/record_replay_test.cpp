@@ -2,6 +2,7 @@
 
 #include "host/packet/packet_bytes.h"
 #include "ig/sink/hash_sink.h"
+#include "tests/tools/command.h"
 #include "tests/tools/pictures.h"
 #include "tests/tools/small_flight.h"
 #include "tools/flight/bad_input.h"
@@ -59,6 +60,51 @@ TEST_F(RecordReplay, GivesTheSamePicturesFromAnyPacketOn) {
         }
         EXPECT_THROW(replay.draw(), BadInput);
     }
+}
+
+/// A flight with wakes that the machine makes of what it remembers, from its middle on.
+class WakeReplay : public testing::Test {
+protected:
+    static constexpr std::uint64_t first = 45U * 4, count = 20; // 4 frames a second
+    static FlightRequest request() {
+        FlightRequest request = small_flight(160, 120, 4.0);
+        request.scenario_path = LINKDIG_SOURCE_DIR "/database/scenes/two_ships/figure_of_eight.toml";
+        return request;
+    }
+    void SetUp() override {
+        Flight flight(request());
+        flight.lead_in(first, {});
+        RecordingWriter recording(folder_.file("wakes.rec"), flight.recording_header(), flight.history());
+        for (std::uint64_t k = 0; k < count; ++k) {
+            const FrameReport& report = flight.draw(first + k, {});
+            ASSERT_EQ(report.wakes.size(), 4U);
+            EXPECT_GT(report.wakes[0].faces, 0U);
+            recording.write(flight.packet());
+            pictures_.push_back(ig::picture_hash(flight.machine().picture(0)));
+        }
+        recording.close();
+    }
+    TemporaryFolder folder_;
+    std::vector<std::uint64_t> pictures_;
+};
+
+TEST_F(WakeReplay, GivesTheSamePicturesFromAnyPacketOn) {
+    for (const std::uint64_t from : {std::uint64_t{0}, std::uint64_t{7}, count - 1}) {
+        Replay replay(folder_.file("wakes.rec"), "", request().configuration);
+        replay.skip_to(from);
+        for (std::uint64_t k = from; k < count; ++k) {
+            EXPECT_EQ(replay.draw().frame, first + k);
+            EXPECT_EQ(ig::picture_hash(replay.machine().picture(0)), pictures_[k]) << k;
+        }
+    }
+}
+
+TEST_F(WakeReplay, GoesThroughTextToTheSameBytes) {
+    const Outcome text = run("convert " + folder_.file("wakes.rec") + " -o " + folder_.file("wakes.jsonl"));
+    ASSERT_EQ(text.exit_code, 0) << text.errors;
+    const Outcome back = run("convert " + folder_.file("wakes.jsonl") + " -o " + folder_.file("again.rec"));
+    ASSERT_EQ(back.exit_code, 0) << back.errors;
+    EXPECT_EQ(bytes_of(folder_.file("again.rec")), bytes_of(folder_.file("wakes.rec")));
 }
 
 TEST_F(RecordReplay, AFlightGoesOnFromItsSavedState) {

@@ -35,9 +35,9 @@ TEST_P(ShippedScenario, ShowsSomethingInEveryChannel) {
 INSTANTIATE_TEST_SUITE_P(All, ShippedScenario,
                          testing::Values("first_flight/approach.toml", "first_flight/four_windows.toml",
                                          "runway_lights/night_approach.toml", "two_ships/in_company.toml",
-                                         "two_ships/night_in_company.toml", "pease/approach.toml",
-                                         "plattsburgh/night.toml", "pier/passing.toml",
-                                         "report/two_waves.toml", "report/plane.toml"));
+                                         "two_ships/night_in_company.toml", "two_ships/figure_of_eight.toml",
+                                         "pier/wash.toml", "pease/approach.toml", "plattsburgh/night.toml",
+                                         "pier/passing.toml", "report/two_waves.toml", "report/plane.toml"));
 
 } // namespace
 } // namespace linkdig::tools
