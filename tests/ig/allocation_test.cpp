@@ -48,9 +48,9 @@ std::uint64_t allocations_of(const ShippedFlight& flight, const Configuration& c
 }
 
 TEST(Allocation, CountsWhatIsAllocated) {
+    static std::vector<int> kept; // a compiler may leave out what nobody outside can see
     const std::uint64_t before = allocations();
-    std::vector<int> some(1000);
-    EXPECT_EQ(some.size(), 1000U);
+    kept.reserve(1000);
     EXPECT_EQ(allocations() - before, 1U);
 }
 
