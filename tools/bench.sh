@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets linkdig against Mesa's software renderer, llvmpipe: the same frames, turn by turn, the same number of threads.
+# Sets linkdig against Mesa's software renderer, llvmpipe: the same frames, in turns of four, the same number of threads.
 #
 #   tools/bench.sh                 every scene at 1024 and 2048 pixels, with one and with two threads; some minutes
 #   tools/bench.sh --quick         three rounds of each instead of fifteen, at 1024 pixels alone

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -105,10 +104,8 @@ std::string line_text(const database::CompileResult& result) {
 
 /// Would the output take the place of a file that the database is made of? Then says so.
 bool takes_a_source(const Arguments& arguments, const database::CompileResult& result) {
-    const bool takes = std::ranges::any_of(result.files, [&](const std::string& file) {
-        std::error_code none; // a file that is not there is not the same
-        return std::filesystem::equivalent(file, arguments.output, none);
-    });
+    const bool takes = std::ranges::any_of(
+        result.files, [&](const std::string& file) { return same_file(file, arguments.output); });
     if (takes)
         fmt::print(stderr, "error: {} is a file that the database is made of; expected another output\n",
                    arguments.output);

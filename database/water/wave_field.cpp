@@ -54,12 +54,6 @@ Vec2d slope_at(const WaveField& field, std::uint32_t column, std::uint32_t row) 
             (height(column, above) - height(column, below)) / up};
 }
 
-Vec3f normal_at(const WaveField& field, std::uint32_t column, std::uint32_t row) {
-    const Vec2d slope = slope_at(field, column, row);
-    const double length = std::sqrt(slope.x * slope.x + slope.y * slope.y + 1.0);
-    return Vec3f(Vec3d(-slope.x, -slope.y, 1.0) / length);
-}
-
 double rms_of(const WaveField& field) {
     double sum = 0.0;
     for (const float h : field.heights)

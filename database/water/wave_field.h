@@ -62,9 +62,6 @@ private:
 /// Slope in the middle of a cell, by the heights beside it; at the border by the cell's own.
 Vec2d slope_at(const WaveField& field, std::uint32_t column, std::uint32_t row);
 
-/// Unit normal of the surface there.
-Vec3f normal_at(const WaveField& field, std::uint32_t column, std::uint32_t row);
-
 /// Root mean square of the heights.
 double rms_of(const WaveField& field);
 

@@ -1,9 +1,12 @@
 #include "host/packet/json_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace linkdig {
@@ -26,6 +29,16 @@ void read_vector(const Json& json, const std::string& field, Vector& value) {
         throw JsonMistake(field, fmt::format("expected an array of {} numbers", axes == 2 ? "two" : "three"));
     for (std::size_t axis = 0; axis < axes; ++axis)
         read_value(json[axis], fmt::format("{}[{}]", field, axis), value[static_cast<int>(axis)]);
+}
+
+/// The value of an enumeration, by its place among the names.
+template <typename Enumeration, std::size_t count>
+void read_name(const Json& json, const std::string& field, const char* const (&names)[count],
+               Enumeration& value) {
+    const auto found = std::ranges::find_if(names, [&](const char* name) { return json == name; });
+    if (found == std::end(names))
+        throw JsonMistake(field, fmt::format("expected \"{}\"", fmt::join(names, "\" or \"")));
+    value = static_cast<Enumeration>(found - std::begin(names));
 }
 
 } // namespace
@@ -85,23 +98,11 @@ void read_value(const Json& json, const std::string& field, Vec3f& value) { read
 void read_value(const Json& json, const std::string& field, Vec3d& value) { read_vector(json, field, value); }
 
 void read_value(const Json& json, const std::string& field, ShadingMethod& value) {
-    for (std::size_t i = 0; i < std::size(shading_method_names); ++i) {
-        if (json == shading_method_names[i]) {
-            value = static_cast<ShadingMethod>(i);
-            return;
-        }
-    }
-    throw JsonMistake(field, "expected \"as_modelled\" or \"no_smooth\"");
+    read_name(json, field, shading_method_names, value);
 }
 
 void read_value(const Json& json, const std::string& field, WakeMethod& value) {
-    for (std::size_t i = 0; i < std::size(wake_method_names); ++i) {
-        if (json == wake_method_names[i]) {
-            value = static_cast<WakeMethod>(i);
-            return;
-        }
-    }
-    throw JsonMistake(field, "expected \"kelvin\" or \"wave_particles\"");
+    read_name(json, field, wake_method_names, value);
 }
 
 void read_value(const Json& json, const std::string& field, std::int64_t& value) {

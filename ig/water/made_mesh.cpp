@@ -54,10 +54,8 @@ bool is_dark(const Vertex& vertex) {
     return std::fabs(vertex.normal.x) + std::fabs(vertex.normal.y) + std::fabs(vertex.normal.z) < dark;
 }
 
-void make_mesh_faces(const MeshRows& mesh, std::uint16_t colour, std::uint32_t object,
-                     ActiveDatabase& active) {
-    const Face face{
-        .corner_count = 4, .colour = colour, .object = object, .shading = Shading::vertex, .two_sided = 1};
+void make_mesh_faces(const MeshRows& mesh, std::uint16_t colour, ActiveDatabase& active) {
+    const Face face{.corner_count = 4, .colour = colour, .shading = Shading::vertex, .two_sided = 1};
     for (std::uint32_t first = 0; first + 1 < mesh.rows; first += rows_of_a_run) {
         const std::uint32_t last = std::min(first + rows_of_a_run, mesh.rows - 1);
         FaceRun run{.first_face = static_cast<std::uint32_t>(active.made_faces.size())};

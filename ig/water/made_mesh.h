@@ -24,8 +24,7 @@ struct MeshRows {
 
 /// Squares between rows, without the dark ones, in runs of 16 rows with their bounding spheres; two-sided, since a mesh that bends
 /// folds over.
-void make_mesh_faces(const MeshRows& mesh, std::uint16_t colour, std::uint32_t object,
-                     ActiveDatabase& active);
+void make_mesh_faces(const MeshRows& mesh, std::uint16_t colour, ActiveDatabase& active);
 
 /// Makes the block one of the runs from `first_run` on.
 void finish_made_block(std::uint32_t first_run, std::uint32_t block_index, ActiveDatabase& active);

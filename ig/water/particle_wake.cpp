@@ -178,7 +178,7 @@ void ParticleWakeMaker::make_faces(const WakeRequest& wake, const FramePacket& p
                                                       slope_part * part * slope_at(field, column, row),
                                                       crest_light * part * crest));
         }
-    make_mesh_faces(rows, static_cast<std::uint16_t>(wake.colour), 0, active);
+    make_mesh_faces(rows, static_cast<std::uint16_t>(wake.colour), active);
     block.origin_m = Vec3d(middle, 0.0);
     finish_made_block(first_run, static_cast<std::uint32_t>(&block - active.blocks.data()), active);
 }

@@ -327,7 +327,7 @@ private:
                                                            wake_.heights ? point.height_m : 0.0, point.slope,
                                                            point.light));
             }
-        make_mesh_faces(rows, static_cast<std::uint16_t>(wake_.colour), 0, active_);
+        make_mesh_faces(rows, static_cast<std::uint16_t>(wake_.colour), active_);
     }
 
     const WakeRequest& wake_;

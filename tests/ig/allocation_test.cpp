@@ -1,11 +1,7 @@
 // Once it has seen its largest frame, the machine asks for no memory.
 
-#include "database/compiler/compile.h"
-#include "database/format/name_directory.h"
-#include "host/loop/host_loop.h"
-#include "host/scenario/scenario.h"
 #include "ig/machine/machine.h"
-#include "tests/ig/wake_flight.h"
+#include "tests/ig/shipped_flight.h"
 #include "tests/support/allocation_count.h"
 
 #include <gtest/gtest.h>
@@ -16,23 +12,13 @@ namespace linkdig::ig {
 namespace {
 
 /// Every 20th frame of the shipped flight, from the hover over the deck to the far sea.
-struct ShippedFlight {
-    VisualDatabase database;
-    std::vector<FramePacket> packets;
-};
-
-ShippedFlight shipped_flight(float visibility_m) {
-    const host::ScenarioResult loaded =
-        host::load_scenario(LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml");
-    EXPECT_TRUE(loaded.scenario) << loaded.diagnostics.text();
-    const database::CompileResult compiled = database::compile_file(loaded.scenario->database_path);
-    EXPECT_TRUE(compiled.database) << compiled.diagnostics.text();
-    ShippedFlight flight{*compiled.database, {}};
-    host::HostLoop loop(*loaded.scenario, database::name_directory(flight.database, 0), 30.0);
-    for (std::uint64_t frame = 0; frame < 600; frame += 20) {
-        flight.packets.push_back(loop.packet(frame, {}));
-        flight.packets.back().visibility_m = visibility_m;
-    }
+ShippedFlight first_flight(float visibility_m) {
+    std::vector<std::uint64_t> frames;
+    for (std::uint64_t frame = 0; frame < 600; frame += 20)
+        frames.push_back(frame);
+    ShippedFlight flight = shipped_flight("first_flight/approach.toml", 30.0, frames);
+    for (FramePacket& packet : flight.packets)
+        packet.visibility_m = visibility_m;
     return flight;
 }
 
@@ -56,7 +42,7 @@ TEST(Allocation, CountsWhatIsAllocated) {
 
 TEST(Allocation, NoneAfterWarmUp) {
     for (const float visibility_m : {0.0F, 3000.0F}) {
-        const ShippedFlight flight = shipped_flight(visibility_m);
+        const ShippedFlight flight = first_flight(visibility_m);
         for (const bool smoothing : {false, true}) {
             for (const Scan scan : {Scan::horizontal, Scan::vertical}) {
                 const Configuration configuration{
@@ -71,12 +57,12 @@ TEST(Allocation, NoneAfterWarmUp) {
 
 TEST(Allocation, NoneAfterWarmUpWithWakesThatTheMachineMakes) {
     // Twelve seconds of the ships' turn; going back to their first packet, wakes begin anew and become what they were.
-    const WakeFlight wakes = wake_flight(40.0, 12 * 15, 15.0);
+    const ShippedFlight wakes = wake_flight(40.0, 12 * 15, 15.0);
     for (const bool smoothing : {false, true})
-        EXPECT_EQ(allocations_of(
-                      {wakes.database, wakes.packets},
-                      {.raster = {160, 120, Scan::horizontal}, .edge_smoothing = smoothing, .threads = 1}),
-                  0U)
+        EXPECT_EQ(
+            allocations_of(
+                wakes, {.raster = {160, 120, Scan::horizontal}, .edge_smoothing = smoothing, .threads = 1}),
+            0U)
             << "smoothing " << smoothing;
 }
 

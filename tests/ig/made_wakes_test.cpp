@@ -5,7 +5,7 @@
 #include "ig/machine/machine.h"
 #include "ig/water/particle_wake.h"
 #include "ig/water/silhouette.h"
-#include "tests/ig/wake_flight.h"
+#include "tests/ig/shipped_flight.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ WakeReport report_of(const FrameReport& report, std::size_t wake) {
 }
 
 TEST(MadeWakes, StayWithinTheirReserveAndTellWhatTheyTake) {
-    WakeFlight flight = wake_flight(50.0, 20, 2.0);
+    ShippedFlight flight = wake_flight(50.0, 20, 2.0);
     for (FramePacket& packet : flight.packets)
         for (WakeRequest& wake : packet.wakes)
             wake.most_faces = 700;
@@ -57,7 +57,7 @@ TEST(MadeWakes, StayWithinTheirReserveAndTellWhatTheyTake) {
 }
 
 TEST(MadeWakes, AreTheSameForAnyNumberOfThreads) {
-    const WakeFlight flight = wake_flight(60.0, 12, 2.0);
+    const ShippedFlight flight = wake_flight(60.0, 12, 2.0);
     std::vector<std::vector<std::uint32_t>> pictures;
     History history;
     for (std::uint32_t threads = 1; threads <= 8; ++threads) {
@@ -75,7 +75,7 @@ TEST(MadeWakes, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(MadeWakes, GoOnFromTheBytesOfTheirHistory) {
-    const WakeFlight flight = wake_flight(60.0, 24, 4.0);
+    const ShippedFlight flight = wake_flight(60.0, 24, 4.0);
     Machine flown(flight.database, small(1));
     for (std::size_t k = 0; k < 12; ++k)
         flown.frame(flight.packets[k]);
@@ -112,7 +112,7 @@ std::vector<int> what_wakes_add(const VideoFrame& with, const VideoFrame& withou
 
 TEST(MadeWakes, NothingIsReplacedAtOnceThroughTheCrossingOfTheEight) {
     // The ships go over from one circle to the other; the eye stands still above, and the ships are out of the picture's way.
-    WakeFlight flight = wake_flight(190.0, 60 * 6, 60.0);
+    ShippedFlight flight = wake_flight(190.0, 60 * 6, 60.0);
     const Vec3d first = flight.packets.front()
                             .moving_objects[flight.packets.front().wakes[0].moving_object]
                             .waterline_position_m;
@@ -173,7 +173,7 @@ double length_of(const Silhouette& silhouette) {
 }
 
 TEST(ParticleWake, TakesTheHullAsItFloats) {
-    const WakeFlight flight = wake_flight(0.0, 1, 1.0);
+    const ShippedFlight flight = wake_flight(0.0, 1, 1.0);
     const auto wake =
         std::ranges::find(flight.packets[0].wakes, WakeMethod::wave_particles, &WakeRequest::method);
     ASSERT_NE(wake, flight.packets[0].wakes.end());

@@ -1,12 +1,9 @@
 /// The second opinions on what geometry really delivers: clipped, snapped, far and close faces of whole
 /// scenes.
 
-#include "database/compiler/compile.h"
-#include "database/format/name_directory.h"
-#include "host/loop/host_loop.h"
-#include "host/scenario/scenario.h"
 #include "tests/ig/random_scene.h"
 #include "tests/ig/random_scene_stages.h"
+#include "tests/ig/shipped_flight.h"
 #include "tests/ig/small_database.h"
 #include "tests/support/painter.h"
 
@@ -116,16 +113,12 @@ TEST(PainterAgainstGeometry, the_sea_has_no_gap) {
 }
 
 TEST(PainterAgainstGeometry, the_shipped_flight) {
-    const host::ScenarioResult loaded =
-        host::load_scenario(LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml");
-    ASSERT_TRUE(loaded.scenario) << loaded.diagnostics.text();
-    const database::CompileResult compiled = database::compile_file(loaded.scenario->database_path);
-    ASSERT_TRUE(compiled.database) << compiled.diagnostics.text();
-    host::HostLoop loop(*loaded.scenario, database::name_directory(*compiled.database, 0), 30.0);
-    for (const std::uint64_t frame : {0U, 250U, 450U, 599U}) {
-        SCOPED_TRACE("frame " + std::to_string(frame));
-        const Scan scan = frame == 250 ? Scan::vertical : Scan::horizontal;
-        const Scene scene = scene_of(*compiled.database, loop.packet(frame, {}), {320, 240, scan});
+    const ShippedFlight flight = shipped_flight("first_flight/approach.toml", 30.0, {0, 250, 450, 599});
+    ASSERT_EQ(flight.packets.size(), 4U);
+    for (const FramePacket& packet : flight.packets) {
+        SCOPED_TRACE("frame " + std::to_string(packet.frame));
+        const Scan scan = packet.frame == 250 ? Scan::vertical : Scan::horizontal;
+        const Scene scene = scene_of(flight.database, packet, {320, 240, scan});
         expect_contract(scene.projected);
         expect_agreement(scene);
     }

@@ -1,13 +1,10 @@
 // Snapping to 1/256 pixel moves an edge by less than 1/128 pixel: everywhere else the machine shows what a painter without
 // a raster sees.
 
-#include "database/compiler/compile.h"
-#include "database/format/name_directory.h"
 #include "database/model/mathematics.h"
-#include "host/loop/host_loop.h"
-#include "host/scenario/scenario.h"
 #include "tests/ig/random_scene.h"
 #include "tests/ig/random_scene_stages.h"
+#include "tests/ig/shipped_flight.h"
 #include "tests/ig/small_database.h"
 #include "tests/support/unsnapped_painter.h"
 
@@ -100,17 +97,13 @@ TEST(UnsnappedPainter, PolygonsOfManyCorners) {
 }
 
 TEST(UnsnappedPainter, TheShippedFlight) {
-    const host::ScenarioResult loaded =
-        host::load_scenario(LINKDIG_SOURCE_DIR "/database/scenes/first_flight/approach.toml");
-    ASSERT_TRUE(loaded.scenario) << loaded.diagnostics.text();
-    const database::CompileResult compiled = database::compile_file(loaded.scenario->database_path);
-    ASSERT_TRUE(compiled.database) << compiled.diagnostics.text();
-    host::HostLoop loop(*loaded.scenario, database::name_directory(*compiled.database, 0), 30.0);
+    const ShippedFlight flight = shipped_flight("first_flight/approach.toml", 30.0, {300, 599});
+    ASSERT_EQ(flight.packets.size(), 2U);
     Agreement agreement;
-    for (const std::uint64_t frame : {300U, 599U}) {
-        SCOPED_TRACE("frame " + std::to_string(frame));
-        const Scan scan = frame == 300 ? Scan::vertical : Scan::horizontal;
-        expect_same_faces(*compiled.database, loop.packet(frame, {}), {64, 48, scan}, agreement);
+    for (const FramePacket& packet : flight.packets) {
+        SCOPED_TRACE("frame " + std::to_string(packet.frame));
+        const Scan scan = packet.frame == 300 ? Scan::vertical : Scan::horizontal;
+        expect_same_faces(flight.database, packet, {64, 48, scan}, agreement);
     }
     EXPECT_GT(agreement.faces_seen, agreement.compared * 9 / 10);
     EXPECT_GT(agreement.compared, 4000);

@@ -3,6 +3,7 @@
 #include "database/model/mathematics.h"
 #include "database/model/random.h"
 #include "ig/water/wave_particles.h"
+#include "tests/support/wave_normal.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -76,7 +77,7 @@ TEST(WaveParticles, NormalsAreThoseOfTheBump) {
             const double steep =
                 d < radius && d > 0.0 ? -8.0 * pi / (2.0 * radius) * sine(pi * d / radius) / d : 0.0;
             const Vec3d wanted = glm::normalize(Vec3d(-steep * off.x, -steep * off.y, 1.0));
-            const Vec3d made(database::normal_at(field, column, row));
+            const Vec3d made(support::normal_at(field, column, row));
             EXPECT_NEAR(glm::length(made), 1.0, 1e-6);
             double& greatest = std::fabs(d - radius) < 1.0 ? at_rim : inside;
             greatest = std::max(greatest, glm::length(made - wanted));

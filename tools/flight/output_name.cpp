@@ -27,9 +27,13 @@ void require_recording_name(const std::string& path) {
                                                 path));
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code none;
+    return std::filesystem::equivalent(a, b, none);
+}
+
 void require_other_file(const std::string& output, const std::string& input) {
-    std::error_code none; // a file that is not there is another
-    if (std::filesystem::equivalent(output, input, none))
+    if (same_file(output, input))
         throw std::invalid_argument(fmt::format(
             "'{}' cannot be written: it is read, too; expected the name of another file", output));
 }

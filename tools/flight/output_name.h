@@ -16,6 +16,9 @@ void require_ending(const std::string& path, std::string_view kind,
 /// Recordings may have any name but those of what a flight is made from: throws std::invalid_argument for .toml and .igdb.
 void require_recording_name(const std::string& path);
 
+/// One file by two names? A file that is not there is another.
+bool same_file(const std::string& a, const std::string& b);
+
 /// Throws std::invalid_argument if `output` is the file `input`, by whatever name, which is read while `output` is written.
 void require_other_file(const std::string& output, const std::string& input);
 

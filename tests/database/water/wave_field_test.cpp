@@ -2,11 +2,14 @@
 
 #include "database/model/mathematics.h"
 #include "database/water/wave_field.h"
+#include "tests/support/wave_normal.h"
 
 #include <gtest/gtest.h>
 
 namespace linkdig::database {
 namespace {
+
+using support::normal_at;
 
 WaveField field_of(std::uint32_t size, double cell, double (*height)(const Vec2d&)) {
     WaveField field;
