@@ -197,13 +197,12 @@ void add_names(const Assembly& parts, VisualDatabase& database) {
     }
 }
 
-/// Objects list by list; the number of each in the database.
+/// Objects list by list; the number of each in the database. A list that holds none, a tile's or one that the machine fills, is given one
+/// of its own name: the faces made in it belong to that.
 std::vector<std::uint32_t> add_objects(const Assembly& parts, VisualDatabase& database) {
     std::vector<std::uint32_t> numbers(parts.objects.size(), 0);
     for (std::uint32_t list = 0; list < parts.lists.size(); ++list) {
-        const std::string& list_name = parts.registry.lists[list].list.name;
-        for (const RepeatedTile& tile : parts.tiles.tiles) // the object that the tile's faces belong to
-            if (tile.list == list) database.objects.push_back({list_name, list, none, 0, 0});
+        const std::size_t before = database.objects.size();
         for (std::size_t i = 0; i < parts.objects.size(); ++i) {
             const ModelObject& object = parts.objects[i];
             if (object.list != list) continue;
@@ -212,6 +211,8 @@ std::vector<std::uint32_t> add_objects(const Assembly& parts, VisualDatabase& da
                                         static_cast<std::uint16_t>(object.alternative), 0,
                                         level_number(parts.registry, object.detail, object.level)});
         }
+        if (database.objects.size() == before)
+            database.objects.push_back({parts.registry.lists[list].list.name, list, none, 0, 0});
     }
     return numbers;
 }

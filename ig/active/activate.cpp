@@ -1,6 +1,7 @@
 #include "ig/active/activate.h"
 
 #include "ig/active/detail_levels.h"
+#include "ig/active/made_faces.h"
 #include "ig/active/repeated_tile.h"
 #include "ig/active/shedding.h"
 

@@ -2,6 +2,7 @@
 
 #include "database/model/mathematics.h"
 #include "database/model/tile_tables.h"
+#include "ig/active/made_faces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -379,24 +380,7 @@ private:
     Vec3f mean_{0};
 };
 
-/// The object that the tile's faces are named after.
-std::uint32_t object_of_list(const VisualDatabase& database, std::uint32_t list) {
-    for (std::uint32_t o = 0; o < database.objects.size(); ++o) {
-        if (database.objects[o].list == list) return o;
-    }
-    return 0;
-}
-
 } // namespace
-
-void clear_made_faces(ActiveDatabase& active) {
-    active.made_vertices.clear();
-    active.made_corners.clear();
-    active.made_faces.clear();
-    active.made_runs.clear();
-    active.made_leaves.clear();
-    active.made_faces_of.clear();
-}
 
 void make_tile_faces(const VisualDatabase& database, const RepeatedTile& tile, const FramePacket& packet,
                      const Configuration& configuration, ActiveDatabase& active, FaceBlock& block) {
@@ -404,26 +388,13 @@ void make_tile_faces(const VisualDatabase& database, const RepeatedTile& tile, c
     const auto first_face = active.made_faces.size();
     TileMaker maker(database, tile, packet, configuration, block, active);
     maker.make();
-    const std::uint32_t object = object_of_list(database, block.list);
-    for (std::size_t f = first_face; f < active.made_faces.size(); ++f)
-        active.made_faces[f].object = object;
+    give_to_list(block.list, first_face, active);
     active.made_leaves.push_back(
         {.first_run = first_run,
          .run_count = static_cast<std::uint32_t>(active.made_runs.size()) - first_run});
     block.origin_m += block.world_from_list * maker.origin_m();
     block.root = leaf_reference(static_cast<std::uint32_t>(active.made_leaves.size() - 1));
     active.made_faces_of.push_back(static_cast<std::uint32_t>(active.blocks.size()));
-}
-
-void settle_made_faces(ActiveDatabase& active) {
-    for (const std::uint32_t b : active.made_faces_of) {
-        FaceBlock& block = active.blocks[b];
-        block.vertices = active.made_vertices;
-        block.corners = active.made_corners;
-        block.faces = active.made_faces;
-        block.runs = active.made_runs;
-        block.leaves = active.made_leaves;
-    }
 }
 
 } // namespace linkdig::ig

@@ -22,16 +22,10 @@ namespace linkdig::ig {
 inline constexpr double full_contrast_lines = 6.0;
 inline constexpr double faded_lines = 3.0;
 
-/// Empties the pools of made faces; capacity stays.
-void clear_made_faces(ActiveDatabase& active);
-
 /// Makes the tile's faces in `active`'s pools and points `block` at them by index; settle_made_faces turns
 /// the indices into spans once the pools no longer grow. The rings are centred on the first channel that is
 /// on.
 void make_tile_faces(const VisualDatabase& database, const RepeatedTile& tile, const FramePacket& packet,
                      const Configuration& configuration, ActiveDatabase& active, FaceBlock& block);
-
-/// Gives every block of made faces its spans.
-void settle_made_faces(ActiveDatabase& active);
 
 } // namespace linkdig::ig

@@ -1,6 +1,6 @@
 #include "ig/water/make_wakes.h"
 
-#include "ig/active/repeated_tile.h"
+#include "ig/active/made_faces.h"
 
 #include <algorithm>
 
@@ -73,6 +73,7 @@ void make_wake_faces(const FramePacket& packet, History& history, WakeMakers& ma
             maker_for(*active.database, wake, makers).make_faces(wake, packet, *particles, active, *block);
             report.particles = static_cast<std::uint32_t>(particles->particles.size());
         }
+        give_to_list(wake.list, before, active);
         report.faces = static_cast<std::uint32_t>(active.made_faces.size() - before);
     }
     settle_made_faces(active);

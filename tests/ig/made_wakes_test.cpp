@@ -56,6 +56,24 @@ TEST(MadeWakes, StayWithinTheirReserveAndTellWhatTheyTake) {
     EXPECT_TRUE(machine.history().particle_wakes.empty());
 }
 
+// What is counted, left out under load and told by `why` goes by objects: a made face must not be taken for another list's.
+TEST(MadeWakes, TheirFacesBelongToTheirOwnLists) {
+    const ShippedFlight flight = wake_flight(60.0, 12, 2.0);
+    Machine machine(flight.database, small(1));
+    FrameReport report;
+    for (const FramePacket& packet : flight.packets)
+        report = machine.frame(packet);
+    std::vector<std::uint64_t> made(flight.database.lists.size(), 0);
+    for (std::int32_t rank = 0;; ++rank) {
+        const Machine::Source source = machine.source(0, rank);
+        if (source.face == nullptr) break;
+        ASSERT_EQ(flight.database.objects[source.object].list, source.list) << "rank " << rank;
+        ++made[source.list];
+    }
+    for (const WakeReport& wake : report.wakes)
+        EXPECT_EQ(made[wake.list] > 0, wake.edges > 0) << flight.database.lists[wake.list].name;
+}
+
 TEST(MadeWakes, AreTheSameForAnyNumberOfThreads) {
     const ShippedFlight flight = wake_flight(60.0, 12, 2.0);
     std::vector<std::vector<std::uint32_t>> pictures;
