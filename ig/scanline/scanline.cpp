@@ -273,6 +273,8 @@ private:
         std::uint32_t* weights = out_.weights.data() + first;
         if (!face_->blends) {
             share_opaque(line, begin, end, areas, weights);
+        } else if (face_->additive) {
+            share_light(line, begin, end, areas, weights);
         } else {
             for (std::uint32_t element = begin; element < end; ++element)
                 weights[element - begin] =
@@ -292,16 +294,20 @@ private:
         }
     }
 
-    /// The share of one pixel that an additive, a semi-opaque or a fading face gets.
+    /// An additive face's: it takes nothing from what is behind it.
+    void share_light(std::size_t line, std::uint32_t begin, std::uint32_t end, const std::int32_t* areas,
+                     std::uint32_t* weights) {
+        const std::uint32_t* left = left_of(line) + begin;
+        const std::uint32_t fade = face_->fade;
+        for (std::uint32_t k = 0; k < end - begin; ++k)
+            weights[k] = part_of(std::min(static_cast<std::uint32_t>(areas[k]), left[k]), fade);
+    }
+
+    /// The share of one pixel that a semi-opaque or a fading face gets.
     std::uint32_t blend(std::size_t line, std::uint32_t element, std::uint32_t coverage) {
         std::uint32_t& left = left_of(line)[element];
-        const std::uint32_t covered = std::min(coverage, left);
-        if (face_->additive) {
-            out_.added = true;
-            return part_of(covered, face_->fade);
-        }
-        const std::uint32_t weight =
-            face_->level < 0 ? part_of(covered, face_->opacity) : fading(line, element, coverage, left);
+        const std::uint32_t weight = face_->level < 0 ? part_of(std::min(coverage, left), face_->opacity)
+                                                      : fading(line, element, coverage, left);
         left -= weight;
         if (left == 0) close(line, element);
         return weight;
@@ -413,7 +419,6 @@ void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks,
     segments.background.clear();
     segments.shares.clear();
     segments.weights.clear();
-    segments.added = false;
     segments.lights.clear();
     BandResolver(edges, elements, smoothing, scratch, segments).run(ranks, lights, splats);
 }

@@ -21,7 +21,8 @@ struct Segment {
 };
 
 /// A whole pixel, in the units of shares: twice 1/256 x 1/256 pixel, so that areas of trapezia are whole numbers.
-inline constexpr std::uint32_t whole_pixel = 1U << 17U;
+inline constexpr int whole_pixel_bits = 17;
+inline constexpr std::uint32_t whole_pixel = 1U << whole_pixel_bits;
 
 /// The rank that stands for the background in a share.
 inline constexpr std::uint32_t background_rank = ~0U;
@@ -76,7 +77,6 @@ struct BandSegments {
     std::vector<std::uint64_t> shared; ///< a bit per element: 1 = a shared pixel
     std::vector<ShareRun> shares;
     std::vector<std::uint32_t> weights; ///< and weights_padding more
-    bool added = false;                 ///< some of the shares are of additive faces
     std::vector<LightPixel> lights;
 };
 

@@ -1,6 +1,7 @@
 #include "ig/video/share_sums.h"
 
 #include "ig/edges/edges.h"
+#include "ig/scanline/open_mask.h"
 #include "ig/video/colour_run.h"
 #include "ig/video/share_run.h"
 
@@ -11,31 +12,35 @@ namespace linkdig::ig {
 
 namespace {
 
-constexpr std::uint32_t brightest = 255U << 7U; ///< of Components
-constexpr std::uint32_t word_bits = 64;
-
 /// What is seen of a face in one pixel.
 struct Seen {
     Components light;
     std::int32_t intensity = -1;
 };
 
+SumsAt sums_at(ShareSums& sums, std::size_t at) {
+    return {sums.red.data() + at, sums.green.data() + at, sums.blue.data() + at};
+}
+SumsAt light_at(WaitingLight& light, std::size_t at) {
+    return {light.red.data() + at, light.green.data() + at, light.blue.data() + at};
+}
+
 class ShareSummer {
 public:
     ShareSummer(const VideoInput& input, const Raster& raster, const BandSegments& band, ShareSums& sums,
                 const VideoFrame& frame)
         : input_(input), raster_(raster), band_(band), sums_(sums), elements_(raster.elements()),
-          tells_(band.added || !frame.rank.empty() || !frame.intensity.empty()) {
+          tells_(!frame.rank.empty() || !frame.intensity.empty()) {
         const std::size_t size = std::size_t{band_lines} * elements_ + sums_padding;
         for (std::vector<std::uint32_t>* sum : {&sums_.red, &sums_.green, &sums_.blue})
             if (sum->size() < size) sum->resize(size);
         if (tells_ && sums_.tales.size() < size) sums_.tales.resize(size);
-        sums_.pending.clear();
+        sums_.lists_waiting = 0;
     }
 
     void add_up() {
         for (const ShareRun& run : band_.shares) {
-            if (!tells_ && add_fast(run)) continue;
+            if (!tells_ && add_run(run)) continue;
             add_one_by_one(run);
         }
     }
@@ -63,17 +68,29 @@ private:
     // ---- runs whose pixels need nothing but their colour ---------------------------------------------------------
 
     /// False if the run's pixels must be looked at one by one.
-    bool add_fast(const ShareRun& run) {
+    bool add_run(const ShareRun& run) {
+        const std::size_t at = place(run.line, run.first);
+        const RunPlace runs{run.line, run.first, run.count, band_.weights.data() + run.first_weight};
         RunColour colour{.colour = input_.background, .plane = {}, .horizon = input_.air->horizon()};
         if (run.face == background_rank) {
             colour.plane.value = intensity_one;
             colour.plane.least = colour.plane.greatest = intensity_one;
-        } else if (!colour_of(run.face, colour)) {
-            return false;
+            add_share_run(colour, runs, sums_at(sums_, at));
+            return true;
         }
-        const std::size_t at = place(run.line, run.first);
-        add_share_run(colour, run.line, run.first, run.count, band_.weights.data() + run.first_weight,
-                      {sums_.red.data() + at, sums_.green.data() + at, sums_.blue.data() + at});
+        if (!colour_of(run.face, colour)) return false;
+        const ProjectedFace& face = input_.projected->faces[run.face];
+        if (face.added_to != none) {
+            colour.horizon = {}; // light that is added brings no horizon of its own: the face behind it does
+            WaitingLight& light = waiting_for(face.added_to);
+            set_bits(there(light, run.line), run.first, run.first + run.count);
+            add_light_run(colour, runs, light_at(light, at));
+        } else if (WaitingLight* const light = waiting(run, static_cast<std::int32_t>(face.list))) {
+            add_lit_run(colour, runs, light_at(*light, at), sums_at(sums_, at));
+        } else {
+            add_share_run(colour, runs, sums_at(sums_, at));
+        }
+        if (face.added_to == none && face.opacity < opaque) end_light(run);
         return true;
     }
 
@@ -93,30 +110,85 @@ private:
                                    run.transmission);
     }
 
+    // ---- light that is added -------------------------------------------------------------------------------------
+    //
+    // It falls on all opaque faces of its list that divide the pixel among them (or a mesh would show its seams through it), and
+    // ends at a semi-opaque one, which lies before the whole pixel.
+
+    WaitingLight& waiting_for(std::int32_t list) {
+        for (std::size_t k = 0; k < sums_.lists_waiting; ++k)
+            if (sums_.waiting[k].list == list) return sums_.waiting[k];
+        if (sums_.waiting.size() == sums_.lists_waiting) sums_.waiting.emplace_back();
+        WaitingLight& light = sums_.waiting[sums_.lists_waiting++];
+        light.list = list;
+        const std::size_t size = std::size_t{band_lines} * elements_ + sums_padding;
+        for (std::vector<std::uint32_t>* sum : {&light.red, &light.green, &light.blue})
+            if (sum->size() < size) sum->resize(size);
+        light.there.assign(std::size_t{band_lines} * band_.words, 0);
+        return light;
+    }
+
+    std::uint64_t* there(WaitingLight& light, std::uint32_t line) const {
+        return light.there.data() + std::size_t{line - band_.first_line} * band_.words;
+    }
+
+    /// Light over some of the run's pixels for a face of this list behind them; null if there is none.
+    WaitingLight* waiting(const ShareRun& run, std::int32_t list) {
+        const std::uint32_t end = std::uint32_t{run.first} + run.count;
+        for (std::size_t k = 0; k < sums_.lists_waiting; ++k) {
+            WaitingLight& light = sums_.waiting[k];
+            if (light.list == list && next_set(there(light, run.line), run.first, end) < end) return &light;
+        }
+        return nullptr;
+    }
+
+    /// Ends all light over the run's pixels, where the run has a share.
+    void end_light(const ShareRun& run) {
+        const std::size_t at = place(run.line, run.first);
+        for (std::size_t w = 0; w < sums_.lists_waiting; ++w) {
+            const SumsAt light = light_at(sums_.waiting[w], at);
+            for (std::uint32_t k = 0; k < run.count; ++k)
+                if (band_.weights[run.first_weight + k] != 0)
+                    light.red[k] = light.green[k] = light.blue[k] = 0;
+        }
+    }
+
     // ---- pixel by pixel ------------------------------------------------------------------------------------------
 
     void add_one_by_one(const ShareRun& run) {
+        const ProjectedFace* const face =
+            run.face == background_rank ? nullptr : &input_.projected->faces[run.face];
+        WaitingLight* const light = face == nullptr ? nullptr
+                                    : face->added_to == none
+                                        ? waiting(run, static_cast<std::int32_t>(face->list))
+                                        : &waiting_for(face->added_to);
         for (std::uint32_t k = 0; k < run.count; ++k) {
             const std::uint32_t weight = band_.weights[run.first_weight + k];
             if (weight == 0) continue;
             const std::uint32_t element = run.first + k;
             const std::size_t at = place(run.line, element);
-            if (run.face == background_rank) {
-                add(at, weight, {lit(input_.background, intensity_one), -1}, run.face, none, true);
-                continue;
-            }
-            const ProjectedFace& face = input_.projected->faces[run.face];
-            const bool added = face.added_to != none;
-            const Seen seen = see(run.face, run.line, element, added);
-            if (added) {
-                wait(at, weight, seen.light, face.added_to);
+            if (face == nullptr) {
+                add(at, weight, {lit(input_.background, intensity_one), -1}, run.face);
+            } else if (const Seen seen = see(run.face, run.line, element); face->added_to != none) {
+                set_bits(there(*light, run.line), element, element + 1);
+                light->red[at] += seen.light.red * weight >> whole_pixel_bits;
+                light->green[at] += seen.light.green * weight >> whole_pixel_bits;
+                light->blue[at] += seen.light.blue * weight >> whole_pixel_bits;
             } else {
-                add(at, weight, seen, run.face, static_cast<std::int32_t>(face.list), face.opacity >= opaque);
+                add(at, weight, light == nullptr ? seen : brightened(seen, *light, at), run.face);
             }
         }
+        if (face != nullptr && face->added_to == none && face->opacity < opaque) end_light(run);
     }
 
-    Seen see(std::uint32_t rank, std::uint32_t line, std::uint32_t element, bool added) const {
+    static Seen brightened(Seen seen, const WaitingLight& light, std::size_t at) {
+        seen.light = {std::min(seen.light.red + light.red[at], brightest),
+                      std::min(seen.light.green + light.green[at], brightest),
+                      std::min(seen.light.blue + light.blue[at], brightest)};
+        return seen;
+    }
+
+    Seen see(std::uint32_t rank, std::uint32_t line, std::uint32_t element) const {
         const ProjectedFace& face = input_.projected->faces[rank];
         const EdgeFace& edges = input_.edges->faces[rank];
         const auto l = static_cast<std::int32_t>(line), e = static_cast<std::int32_t>(element);
@@ -135,45 +207,17 @@ private:
         std::int32_t transmission = 0;
         if (!air.is_flat(depth, transmission)) transmission = transmission_of(depth, air, l, e);
         // Light that is added brings no horizon of its own: the face behind it does.
-        seen.light = through_air(seen.light, transmission, added ? Colour{} : air.horizon());
+        seen.light = through_air(seen.light, transmission, face.added_to != none ? Colour{} : air.horizon());
         return seen;
     }
 
-    void wait(std::size_t at, std::uint32_t weight, const Components& light, std::int32_t added_to) {
-        const auto part = [weight](std::uint32_t component) {
-            return static_cast<std::uint32_t>((std::uint64_t{component} * weight) / whole_pixel);
-        };
+    void add(std::size_t at, std::uint32_t weight, const Seen& seen, std::uint32_t rank) {
+        sums_.red[at] += seen.light.red * weight;
+        sums_.green[at] += seen.light.green * weight;
+        sums_.blue[at] += seen.light.blue * weight;
+        if (!tells_) return;
         PixelTale& tale = sums_.tales[at];
-        sums_.pending.push_back(
-            {part(light.red), part(light.green), part(light.blue), added_to, tale.pending});
-        tale.pending = static_cast<std::int32_t>(sums_.pending.size() - 1);
-    }
-
-    /// Adds a share, brightened by the additive faces in front of it that name its list; clamps once. Added
-    /// light falls on all opaque faces that divide the pixel among them (or a mesh would show its seams through
-    /// it), and ends at a semi-opaque one, which lies before the whole pixel.
-    void add(std::size_t at, std::uint32_t weight, Seen seen, std::uint32_t rank, std::int32_t list,
-             bool is_opaque) {
-        if (tells_) tell(at, weight, seen, rank, list, is_opaque);
-        sums_.red[at] += std::min(seen.light.red, brightest) * weight;
-        sums_.green[at] += std::min(seen.light.green, brightest) * weight;
-        sums_.blue[at] += std::min(seen.light.blue, brightest) * weight;
-    }
-
-    void tell(std::size_t at, std::uint32_t weight, Seen& seen, std::uint32_t rank, std::int32_t list,
-              bool is_opaque) {
-        PixelTale& tale = sums_.tales[at];
-        for (std::int32_t k = tale.pending; k >= 0; k = sums_.pending[static_cast<std::size_t>(k)].before) {
-            const PendingLight& light = sums_.pending[static_cast<std::size_t>(k)];
-            if (light.added_to != list || list == none) continue;
-            seen.light = {seen.light.red + light.red, seen.light.green + light.green,
-                          seen.light.blue + light.blue};
-        }
-        if (!is_opaque) tale.pending = -1;
-        if (weight <= tale.rank_weight) return;
-        tale.rank_weight = weight;
-        tale.rank = rank;
-        tale.intensity = seen.intensity;
+        if (weight > tale.rank_weight) tale = {rank, weight, seen.intensity};
     }
 
     // ---- writing -------------------------------------------------------------------------------------------------
@@ -191,6 +235,11 @@ private:
                         ((blue[k] + half) >> 24U) << 16U | 0xff000000U;
         for (std::uint32_t* sum : {red, green, blue})
             std::fill_n(sum, count, 0U);
+        for (std::size_t k = 0; k < sums_.lists_waiting; ++k) {
+            const SumsAt light = light_at(sums_.waiting[k], at);
+            for (std::uint32_t* sum : {light.red, light.green, light.blue})
+                std::fill_n(sum, count, 0U);
+        }
         if (!tells_) return;
         for (std::uint32_t k = 0; k < count; ++k) {
             PixelTale& tale = sums_.tales[at + k];

@@ -24,28 +24,28 @@ struct VideoInput {
     std::span<const Colour> light_colours{};
 };
 
-/// Of a shared pixel, where planes are wanted or light is added.
+/// Of a shared pixel, where planes are wanted.
 struct PixelTale {
-    std::int32_t pending =
-        -1; ///< latest additive face that waits for what is behind it: into the pending list
     std::uint32_t rank = background_rank; ///< of the face with the largest share so far
     std::uint32_t rank_weight = 0;
     std::int32_t intensity = -1; ///< of that face
 };
 
-/// An additive face over a pixel, until the next ordinary face tells whether it counts.
-struct PendingLight {
-    std::uint32_t red = 0, green = 0, blue = 0; ///< 7 fraction bits
-    std::int32_t added_to = -1;
-    std::int32_t before = -1; ///< the one pending before it
+/// Light of additive faces over the band's pixels, until a face of the list that they name tells that it counts. All zero between
+/// bands.
+struct WaitingLight {
+    std::int32_t list = -1;                      ///< that they are added to
+    std::vector<std::uint32_t> red, green, blue; ///< per element, 7 fraction bits, and sums_padding more
+    std::vector<std::uint64_t> there;            ///< a bit per element, BandSegments::words a line
 };
 
 /// Working storage of one thread: per element of the band what its shares have added up to, component x weight,
 /// components with 7 fraction bits. All zero between bands, and sums_padding more.
 struct ShareSums {
     std::vector<std::uint32_t> red, green, blue;
-    std::vector<PixelTale> tales; ///< per element; as made between bands
-    std::vector<PendingLight> pending;
+    std::vector<PixelTale> tales;      ///< per element; as made between bands
+    std::vector<WaitingLight> waiting; ///< one of each list that light is added to: seldom more than one
+    std::size_t lists_waiting = 0;     ///< of them in this band
 };
 
 /// Draws the shared pixels of a band.
