@@ -5,8 +5,8 @@
 #   tools/test.sh          the machine's hashes under g++ Debug, clang++ Release and clang++ Debug; three fuzzers
 #                          under the address and undefined-behaviour sanitizers, threads under the thread sanitizer;
 #                          then every test of the g++ Release build, with format check and clang-tidy of the machine
-#   tools/test.sh --all    the same with every test in every preset, the long ones too, and clang-tidy of everything;
-#                          under the thread sanitizer every test in which threads take part
+#   tools/test.sh --all    the same with all short tests in every preset, under the thread sanitizer those in which
+#                          threads take part; in g++ Release the long ones too, and clang-tidy of everything (hours)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
@@ -41,8 +41,8 @@ build() {
 for preset in gcc-debug clang-release clang-debug; do
     if [[ $all == yes ]]; then
         build "$preset" all
-        headline "$preset: every test"
-        ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$jobs"
+        headline "$preset: every short test"
+        ctest --test-dir "build/$preset" -LE long --output-on-failure --no-tests=error -j "$jobs"
     else
         build "$preset" determinism_test
         headline "$preset: determinism"
@@ -53,12 +53,12 @@ done
 # The sanitizers: the short form builds only what it runs.
 if [[ $all == yes ]]; then
     build asan all
-    headline "asan: every test"
-    ctest --test-dir build/asan --output-on-failure --no-tests=error -j "$jobs"
+    headline "asan: every short test"
+    ctest --test-dir build/asan -LE long --output-on-failure --no-tests=error -j "$jobs"
     build tsan all
-    headline "tsan: every test with threads"
+    headline "tsan: every short test with threads"
     # Compiling takes one thread; of the databases' tests those that read, and those that fill fields of waves.
-    ctest --test-dir build/tsan -LE database --output-on-failure --no-tests=error -j "$jobs"
+    ctest --test-dir build/tsan -LE 'database|long' --output-on-failure --no-tests=error -j "$jobs"
     ctest --test-dir build/tsan -R '^database_test\.(ReadDatabase|Validate|Kelvin)' --output-on-failure --no-tests=error -j "$jobs"
 else
     build asan fuzz_test write_seeds fuzz_packet_bytes fuzz_packet_json fuzz_database_file
