@@ -1,6 +1,7 @@
 #include "ig/video/colour_run.h"
 
 #include "ig/edges/edges.h"
+#include "ig/video/inverse_range.h"
 
 namespace linkdig::ig {
 

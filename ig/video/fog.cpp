@@ -23,16 +23,19 @@ void Air::make_rays(const PictureScale& scale, const Raster& raster) {
     if (scale == made_for_ && raster == made_raster_) return;
     made_for_ = scale;
     made_raster_ = raster;
-    elements_ = raster.elements();
+    rays_of_line_ = raster.elements() + rays_behind;
     const bool vertical = raster.scan == Scan::vertical;
-    rays_.resize(std::size_t{raster.width} * raster.height + rays_padding, 1.0F);
+    const double tangent_step = 256.0 / std::fabs(vertical ? scale.y_scale : scale.x_scale);
+    for (int bits = shortest_stretch_bits; bits <= longest_stretch_bits; ++bits)
+        little_change_[static_cast<std::size_t>(bits)] = static_cast<float>(1.0 / (8 << bits) - tangent_step);
+    rays_.resize(std::size_t{raster.lines()} * rays_of_line_ + rays_padding, 1.0F);
     for (std::uint32_t line = 0; line < raster.lines(); ++line) {
-        for (std::uint32_t element = 0; element < elements_; ++element) {
+        for (std::uint32_t element = 0; element < rays_of_line_; ++element) {
             const double column = 256.0 * (vertical ? line : element) + 128.0;
             const double row = 256.0 * (vertical ? element : line) + 128.0;
             const double tx = (column - scale.x_offset) / scale.x_scale;
             const double ty = (row - scale.y_offset) / scale.y_scale;
-            rays_[std::size_t{line} * elements_ + element] =
+            rays_[std::size_t{line} * rays_of_line_ + element] =
                 static_cast<float>(std::sqrt(1.0 + tx * tx + ty * ty));
         }
     }

@@ -25,6 +25,10 @@ inline constexpr double extinction_at_visibility = 2.996;
 /// Transmission 1.0: 15 bits, as intensities have in the inner loop.
 inline constexpr std::int32_t transmission_one = 32767;
 
+/// Elements between two samples of the transmission where it changes little along a line: 2^bits of these.
+inline constexpr int shortest_stretch_bits = 4, longest_stretch_bits = 6;
+/// Ray lengths of a line that are there behind its last element: the last stretch of a run may end there.
+inline constexpr std::uint32_t rays_behind = 1U << longest_stretch_bits;
 /// Room behind the last ray length, so that whole vectors can be read.
 inline constexpr std::size_t rays_padding = 64;
 
@@ -56,8 +60,14 @@ public:
     Colour horizon() const { return horizon_; }
     /// Range over which half of the light is lost, metres.
     double m_per_octave() const { return m_per_octave_; }
-    /// Ray lengths of a line's elements: range = z * ray length.
-    const float* rays(std::uint32_t line) const { return rays_.data() + std::size_t{line} * elements_; }
+    /// Ray lengths of a line's elements, and rays_behind more: range = z * ray length.
+    const float* rays(std::uint32_t line) const { return rays_.data() + std::size_t{line} * rays_of_line_; }
+
+    /// Greatest relative change of 1/z from one element to the next with which the transmission is straight enough over
+    /// n = 2^bits elements. The range changes by a part g of itself from element to element, that of 1/z and at most the
+    /// tangent of the angle between two elements together. Then t = exp(-x) curves by at most 0.68 g^2 from element to
+    /// element, and the chord over n of them is off by an eighth of n^2 times that: with n g = 1/8 by a third of a level.
+    float little_change(int bits) const { return little_change_[static_cast<std::size_t>(bits)]; }
 
     std::int32_t transmission_at(double range_m) const;
 
@@ -71,7 +81,8 @@ private:
     Colour horizon_;
     double m_per_octave_ = 0.0;
     std::vector<float> rays_;
-    std::uint32_t elements_ = 0;
+    std::uint32_t rays_of_line_ = 0;
+    std::array<float, longest_stretch_bits + 1> little_change_{};
     PictureScale made_for_; ///< that the rays belong to
     Raster made_raster_{0, 0, Scan::horizontal};
 };

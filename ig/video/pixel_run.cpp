@@ -1,47 +1,19 @@
 #include "ig/video/pixel_run.h"
 
 #include "ig/simd/simd_level.h"
+#include "ig/video/air_samples.h"
+#include "ig/video/inverse_range.h"
 
 #include <algorithm>
 
-#ifndef LINKDIG_INVERSE_RANGE // this file is compiled once per SIMD level
-#define LINKDIG_INVERSE_RANGE
+#ifndef LINKDIG_PLAIN_RUNS // this file is compiled once per SIMD level
+#define LINKDIG_PLAIN_RUNS
 namespace linkdig::ig {
 namespace {
-
-/// 1/z over a run, z in octaves: start + (offset + k) * along, and the elements' ray lengths.
-struct InverseRange {
-    float start = 0;
-    float along = 0;
-    std::int32_t offset = 0;
-    const float* rays = nullptr;
-};
-
-/// Elements over which 1/z runs in float.
-constexpr std::int32_t block_elements = 256;
-/// No face is nearer to infinity than this: keeps the division finite; nothing is left of the light long before.
-constexpr float least_inverse = 1e-9F;
-
-InverseRange inverse_range(const DepthPlane& depth, const Air& air, std::int32_t line, std::int32_t element) {
-    const std::int32_t block = element & ~(block_elements - 1);
-    InverseRange range;
-    const double inverse_m = (depth.inverse_m + line * depth.across) + block * depth.along;
-    range.start = static_cast<float>(inverse_m * air.m_per_octave());
-    range.along = static_cast<float>(depth.along * air.m_per_octave());
-    range.offset = element - block;
-    range.rays = air.rays(static_cast<std::uint32_t>(line)) + element;
-    return range;
-}
 
 std::uint32_t value_at(const IntensityPlane& plane, std::int32_t line, std::int32_t element) {
     return plane.value + static_cast<std::uint32_t>(element - plane.reference_element) * plane.along +
            static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
-}
-
-std::int32_t transmission_in(const InverseRange& range) {
-    const float inverse =
-        std::max(range.start + static_cast<float>(range.offset) * range.along, least_inverse);
-    return transmission_over(std::min(range.rays[0] / inverse, most_octaves));
 }
 
 /// Each pixel of the runs by what `shaded` says of its line, element and intensity.
@@ -73,11 +45,23 @@ void shade_plainly_in_haze(const IntensityPlane& plane, Colour colour, std::int3
 
 void shade_plainly_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
                           std::span<const Segment> runs, const BandPixels& pixels) {
-    shade_one_by_one(plane, runs, pixels,
-                     [&](std::int32_t line, std::int32_t element, std::int32_t intensity) {
-                         return shade_through_air(colour, intensity,
-                                                  transmission_of(depth, air, line, element), air.horizon());
-                     });
+    AirSamples samples;
+    while (!runs.empty()) {
+        const std::span<const Segment> planned = runs.first(samples.plan(runs, depth, air));
+        samples.work_out();
+        for (std::size_t r = 0; r < planned.size(); ++r) {
+            const Stretches& stretches = samples.of_run[r];
+            shade_one_by_one(plane, planned.subspan(r, 1), pixels,
+                             [&](std::int32_t line, std::int32_t element, std::int32_t intensity) {
+                                 const std::int32_t t =
+                                     stretches.straight()
+                                         ? samples.between(stretches, element - planned[r].first)
+                                         : transmission_of(depth, air, line, element);
+                                 return shade_through_air(colour, intensity, t, air.horizon());
+                             });
+        }
+        runs = runs.subspan(planned.size());
+    }
 }
 
 } // namespace
@@ -97,7 +81,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR // one lane has no 16-bit halves: the plain loops at the end do it all there
 
-using I32 = hn::ScalableTag<std::int32_t>;
+using I32 = hn::CappedTag<std::int32_t, 16>; // a vector lies inside one stretch (air_samples.h)
 using U32 = hn::Repartition<std::uint32_t, I32>;
 using I16 = hn::Repartition<std::int16_t, I32>;
 using F32 = hn::Repartition<float, I32>;
@@ -133,6 +117,15 @@ struct Intensities {
     hn::Vec<I32> least, greatest, one, step, ramp, at;
 };
 
+/// The same of a face whose corners are equally bright.
+struct LevelIntensity {
+    HWY_INLINE explicit LevelIntensity(const IntensityPlane& plane)
+        : level(hn::Set(I32(), std::min(plane.least >> 7, 32767))) {}
+    HWY_INLINE void Begin(std::int32_t /*line*/, std::int32_t /*element*/) {}
+    HWY_INLINE hn::Vec<I32> Next() const { return level; }
+    hn::Vec<I32> level;
+};
+
 HWY_INLINE hn::Vec<U32> Packed(hn::Vec<I16> red_green, hn::Vec<I16> blue) {
     const U32 d;
     const auto rg = hn::BitCast(d, red_green);
@@ -162,36 +155,70 @@ struct AirMixer {
         const auto left = hn::MulFixedPoint15(hn::Sub(hn::MulFixedPoint15(face, i), air), t);
         return hn::ShiftRight<7>(hn::Add(left, hn::Add(air, half_level)));
     }
-    HWY_INLINE hn::Vec<U32> Seen(hn::Vec<I32> intensity, hn::Vec<I32> transmission) const {
+    HWY_INLINE hn::Vec<U32> Seen(hn::Vec<I32> intensity, hn::Vec<I16> t) const {
         const auto i = BothHalves(intensity);
-        const auto t = BothHalves(transmission);
         return Packed(Mix(rg, horizon_rg, i, t), Mix(b, horizon_b, i, t));
     }
     hn::Vec<I16> rg, b, horizon_rg, horizon_b, half_level;
 };
 
+/// As transmission_through(); Mul and Add stay apart.
+HWY_INLINE hn::Vec<I32> Transmission(hn::Vec<F32> rays, hn::Vec<F32> inverse) {
+    const F32 d;
+    const auto octaves =
+        hn::Min(hn::Div(rays, hn::Max(inverse, hn::Set(d, least_inverse))), hn::Set(d, most_octaves));
+    const auto whole = hn::ConvertTo(I32(), octaves);
+    const auto part = hn::Sub(octaves, hn::ConvertTo(d, whole));
+    auto power = hn::Set(d, falling_octave[4]);
+    for (int c = 3; c >= 0; --c)
+        power = hn::Add(hn::Mul(power, part), hn::Set(d, falling_octave[static_cast<std::size_t>(c)]));
+    const auto halved = hn::BitCast(d, hn::Sub(hn::BitCast(I32(), power), hn::ShiftLeft<23>(whole)));
+    return hn::ConvertTo(
+        I32(), hn::Add(hn::Mul(halved, hn::Set(d, static_cast<float>(transmission_one))), hn::Set(d, 0.5F)));
+}
+
 /// 1/z, range and transmission of a run inside one block of elements.
 struct Transmissions {
     HWY_INLINE explicit Transmissions(const InverseRange& range)
         : start(hn::Set(F32(), range.start)), along(hn::Set(F32(), range.along)), offset(hn::Iota(F32(), 0)),
-          first(static_cast<float>(range.offset)) {}
-    /// The order of operations is that of transmission_in() and transmission_over(); Mul and Add stay apart.
-    HWY_INLINE hn::Vec<I32> At(std::size_t k, hn::Vec<F32> rays) const {
+          first(static_cast<float>(range.offset)), rays(range.rays) {}
+    HWY_INLINE hn::Vec<I16> At(std::size_t k) const {
         const F32 d;
         const auto here = hn::Add(offset, hn::Set(d, first + static_cast<float>(k)));
-        const auto inverse = hn::Max(hn::Add(start, hn::Mul(here, along)), hn::Set(d, least_inverse));
-        const auto octaves = hn::Min(hn::Div(rays, inverse), hn::Set(d, most_octaves));
-        const auto whole = hn::ConvertTo(I32(), octaves);
-        const auto part = hn::Sub(octaves, hn::ConvertTo(d, whole));
-        auto power = hn::Set(d, falling_octave[4]);
-        for (int c = 3; c >= 0; --c)
-            power = hn::Add(hn::Mul(power, part), hn::Set(d, falling_octave[static_cast<std::size_t>(c)]));
-        const auto halved = hn::BitCast(d, hn::Sub(hn::BitCast(I32(), power), hn::ShiftLeft<23>(whole)));
-        return hn::ConvertTo(I32(), hn::Add(hn::Mul(halved, hn::Set(d, static_cast<float>(transmission_one))),
-                                            hn::Set(d, 0.5F)));
+        const auto there = hn::LoadU(d, rays + k); // behind the last line there is room for a vector
+        return BothHalves(Transmission(there, hn::Add(start, hn::Mul(here, along))));
     }
     hn::Vec<F32> start, along, offset;
     float first;
+    const float* rays;
+};
+
+/// As AirSamples::work_out(), in both halves.
+HWY_INLINE void WorkOut(AirSamples& samples) {
+    const F32 d;
+    for (std::size_t k = 0; k < samples.count; k += hn::Lanes(d)) {
+        const auto transmission =
+            Transmission(hn::Load(d, samples.rays.data() + k), hn::Load(d, samples.inverse.data() + k));
+        hn::Store(hn::BitCast(I32(), BothHalves(transmission)), I32(), samples.transmissions.data() + k);
+    }
+}
+
+/// As AirSamples::between(), from samples in both halves.
+struct StraightTransmissions {
+    HWY_INLINE StraightTransmissions(const AirSamples& samples, const Stretches& stretches)
+        : ends(samples.transmissions.data() + stretches.first_sample), bits(stretches.bits),
+          lanes(BothHalves(hn::ShiftLeftSame(hn::Iota(I32(), 0), 15 - bits))) {}
+    HWY_INLINE hn::Vec<I16> At(std::size_t k) const {
+        const I32 d;
+        const auto from = hn::BitCast(I16(), hn::Set(d, ends[k >> bits]));
+        const auto to = hn::BitCast(I16(), hn::Set(d, ends[(k >> bits) + 1]));
+        const auto before = static_cast<std::int16_t>((k << (15 - bits)) & 0x7fffU);
+        const auto part = hn::Add(lanes, hn::Set(I16(), before));
+        return hn::Add(from, hn::MulFixedPoint15(hn::Sub(to, from), part));
+    }
+    const std::int32_t* ends;
+    int bits;
+    hn::Vec<I16> lanes; ///< parts of a stretch, 15 bits
 };
 
 void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, std::size_t runs,
@@ -211,7 +238,7 @@ void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, s
 void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
                      const Segment* run, std::size_t runs, const BandPixels& pixels) {
     const AirMixer mixer(colour, horizon);
-    const auto t = hn::Set(I32(), transmission);
+    const auto t = BothHalves(hn::Set(I32(), transmission));
     Intensities intensities(plane);
     for (const Segment* end = run + runs; run != end; ++run) {
         intensities.Begin(run->line, run->first);
@@ -220,25 +247,51 @@ void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, std::int32_t tr
     }
 }
 
+/// A run, its transmission taken at every pixel.
+template <typename Intensity>
+HWY_INLINE void ShadeExactly(Intensity& intensity, const AirMixer& mixer, const DepthPlane& depth,
+                             const Air& air, const Segment& run, const BandPixels& pixels) {
+    const std::int32_t end = run.first + run.count;
+    for (std::int32_t element = run.first, stop = 0; element < end; element = stop) {
+        stop = std::min(end, (element & ~(block_elements - 1)) + block_elements);
+        const Transmissions transmissions(inverse_range(depth, air, run.line, element));
+        intensity.Begin(run.line, element);
+        FillRun(pixels.at(run.line, static_cast<std::uint32_t>(element)),
+                static_cast<std::size_t>(stop - element),
+                [&](std::size_t k) HWY_ATTR { return mixer.Seen(intensity.Next(), transmissions.At(k)); });
+    }
+}
+
+template <typename Intensity>
+HWY_INLINE void ShadeInAir(const IntensityPlane& plane, Colour colour, const DepthPlane& depth,
+                           const Air& air, std::span<const Segment> runs, const BandPixels& pixels) {
+    const AirMixer mixer(colour, air.horizon());
+    Intensity intensity(plane);
+    AirSamples samples;
+    while (!runs.empty()) {
+        const std::size_t planned = samples.plan(runs, depth, air);
+        WorkOut(samples);
+        for (std::size_t r = 0; r < planned; ++r) {
+            if (!samples.of_run[r].straight()) {
+                ShadeExactly(intensity, mixer, depth, air, runs[r], pixels);
+                continue;
+            }
+            const StraightTransmissions transmissions(samples, samples.of_run[r]);
+            intensity.Begin(runs[r].line, runs[r].first);
+            FillRun(pixels.at(runs[r]), runs[r].count, [&](std::size_t k) HWY_ATTR {
+                return mixer.Seen(intensity.Next(), transmissions.At(k));
+            });
+        }
+        runs = runs.subspan(planned);
+    }
+}
+
 void ShadeRunsInAir(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
                     const Segment* run, std::size_t runs, const BandPixels& pixels) {
-    const AirMixer mixer(colour, air.horizon());
-    Intensities intensities(plane);
-    for (const Segment* last = run + runs; run != last; ++run) {
-        const std::int32_t end = run->first + run->count;
-        for (std::int32_t element = run->first, stop = 0; element < end; element = stop) {
-            stop = std::min(end, (element & ~(block_elements - 1)) + block_elements);
-            const auto count = static_cast<std::size_t>(stop - element);
-            const InverseRange range = inverse_range(depth, air, run->line, element);
-            const Transmissions transmissions(range);
-            intensities.Begin(run->line, element);
-            FillRun(pixels.at(run->line, static_cast<std::uint32_t>(element)), count,
-                    [&](std::size_t k) HWY_ATTR {
-                        const auto rays = hn::LoadU(
-                            F32(), range.rays + k); // behind the last line there is room for a vector
-                        return mixer.Seen(intensities.Next(), transmissions.At(k, rays));
-                    });
-        }
+    if (plane.least == plane.greatest) {
+        ShadeInAir<LevelIntensity>(plane, colour, depth, air, {run, runs}, pixels);
+    } else {
+        ShadeInAir<Intensities>(plane, colour, depth, air, {run, runs}, pixels);
     }
 }
 
@@ -300,11 +353,6 @@ void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPl
     } else {
         HWY_DYNAMIC_DISPATCH(ShadeRunsInAir)(plane, colour, depth, air, runs.data(), runs.size(), pixels);
     }
-}
-
-std::int32_t transmission_of(const DepthPlane& depth, const Air& air, std::int32_t line,
-                             std::int32_t element) {
-    return transmission_in(inverse_range(depth, air, line, element));
 }
 
 } // namespace linkdig::ig

@@ -77,13 +77,8 @@ inline std::uint32_t shade_through_air(Colour colour, std::int32_t intensity, st
 void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
                         std::span<const Segment> runs, const BandPixels& pixels);
 
-/// Shades runs of one face whose range is taken at every pixel.
+/// Shades runs of one face whose range is taken at every pixel, or every few where it changes little (air_samples.h).
 void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
                        std::span<const Segment> runs, const BandPixels& pixels);
-
-/// Transmission of one pixel, as the runs compute it: 1/z is taken in double at the start of each 256 elements and in
-/// float from there, so that it depends on the pixel alone.
-std::int32_t transmission_of(const DepthPlane& depth, const Air& air, std::int32_t line,
-                             std::int32_t element);
 
 } // namespace linkdig::ig

@@ -3,6 +3,7 @@
 #include "ig/edges/edges.h"
 #include "ig/scanline/open_mask.h"
 #include "ig/video/colour_run.h"
+#include "ig/video/inverse_range.h"
 #include "ig/video/share_run.h"
 
 #include <algorithm>
