@@ -3,6 +3,7 @@
 #include "ig/floor.h"
 #include "ig/geometry/depth_plane.h"
 #include "ig/geometry/project_lights.h"
+#include "ig/simd/simd_level.h"
 
 #include <algorithm>
 #include <array>
@@ -12,25 +13,19 @@ namespace linkdig::ig {
 
 namespace {
 
-enum Outside : std::uint8_t { before_near = 1, left_of = 2, right_of = 4, below = 8, above = 16, guard = 32 };
 constexpr std::uint8_t frustum_sides = before_near | left_of | right_of | below | above;
-
-/// Clip planes stand a little inside the guard band, so that rounding stays within the format.
-constexpr double guard_limit = 256.0 * (guard_pixels - 512);
 
 /// A smooth-shaded triangle that reaches the near plane is cut into 4^2 before it is clipped: the screen's
 /// interpolation has no meaning across the eye, and small pieces bound what it gets wrong.
 constexpr int near_subdivisions = 2;
 
-/// z >= near_plane_m at w = 1; a direction (w = 0) must point a little forward, so that it lands somewhere. Between the
-/// two, on an edge to infinity that passes the eye far from its near end (w is about that end's distance to the minus 1),
-/// the plane stands least_forward / w before the eye: 0.2 mm at 20 km. With a thousandth it stood 20 m off, and the ground
-/// at the eye's feet was missing.
-constexpr double least_forward = 1e-8;
 constexpr ClipPlane near_plane{.c = 1.0, .e = least_forward - near_plane_m, .constant = -least_forward};
 
 /// To the nearest whole number. |value| < 2^62.
 double snap(double value) { return static_cast<double>(floor_of(value + 0.5)); }
+
+/// Faces whose vertices are seen together.
+constexpr std::uint32_t faces_ahead = 32;
 
 /// Of a face's depth plane: not made yet.
 constexpr std::int32_t wanted = -2;
@@ -67,6 +62,8 @@ public:
             level_ = fade_ < opaque ? run.level : none;
             std::uint32_t lights_put = lights_before(run, begin);
             for (std::uint32_t f = begin; f < end; ++f) {
+                if ((f - begin) % faces_ahead == 0)
+                    see_ahead(run.first_face + f, std::min(end - f, faces_ahead));
                 put_lights(run, f, lights_put);
                 put_face(run.first_face + f);
             }
@@ -118,18 +115,56 @@ private:
     // ---- vertices
     // ------------------------------------------------------------------------------------------------
 
+    /// The vertices of these faces that have not been seen yet, many at a time.
+    void see_ahead(std::uint32_t first_face, std::uint32_t count) {
+        if (simd_is_off()) return;
+        VertexBatch& batch = scratch_.batch;
+        for (std::uint32_t f = first_face; f < first_face + count; ++f) {
+            const Face& face = block_->faces[f];
+            const std::uint32_t* corners = block_->corners.data() + face.first_corner;
+            for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+                std::uint32_t& stamp = scratch_.seen[corners[k]].stamp;
+                if (stamp == scratch_.stamp) continue;
+                stamp = scratch_.stamp;
+                batch.add(corners[k], block_->vertices[corners[k]]);
+                if (batch.full()) take_in(batch);
+            }
+        }
+        take_in(batch);
+    }
+
+    void take_in(VertexBatch& batch) {
+        see_batch({&view_, block_, channel_from_list_, origin_}, batch);
+        for (std::size_t k = 0; k < batch.count; ++k) {
+            SeenVertex& seen = scratch_.seen[batch.index[k]];
+            seen.snapped = {batch.snapped_line[k], batch.snapped_element[k]};
+            seen.outside = static_cast<std::uint8_t>(batch.outside[k]);
+            seen.intensity = batch.intensity[k];
+            seen.lit = true;
+        }
+        batch.count = 0;
+    }
+
     SeenVertex& see(std::uint32_t index) {
         SeenVertex& seen = scratch_.seen[index];
         if (seen.stamp == scratch_.stamp) return seen;
         seen.stamp = scratch_.stamp;
         seen.lit = false;
-        const Vec4f& position = block_->vertices[index].position;
-        const Vec3d p = channel_from_list_ * Vec3d(position) + static_cast<double>(position.w) * origin_;
-        seen.point = {p.x, p.y, p.z, static_cast<double>(position.w), 0.0};
-        seen.outside = outside(seen.point);
-        if ((seen.outside & before_near) == 0) place(seen);
+        const ClipPoint point = point_of(index);
+        seen.outside = outside(point);
+        if ((seen.outside & before_near) == 0) place(point, seen);
         return seen;
     }
+
+    /// In the channel frame, worked out anew: few vertices are asked for theirs.
+    ClipPoint point_of(std::uint32_t index, std::int32_t intensity = 0) const {
+        const Vec4f& position = block_->vertices[index].position;
+        const Vec3d p = channel_from_list_ * Vec3d(position) + static_cast<double>(position.w) * origin_;
+        return {p.x, p.y, p.z, static_cast<double>(position.w), static_cast<double>(intensity)};
+    }
+
+    /// One that see() has been asked for since the block was entered.
+    SeenVertex& seen_of(std::uint32_t index) { return scratch_.seen[index]; }
 
     std::uint8_t outside(const ClipPoint& p) const {
         std::uint8_t sides = 0;
@@ -149,20 +184,21 @@ private:
         element = view_.vertical ? row : column;
     }
 
-    void place(SeenVertex& seen) const {
-        raster_position(seen.point, seen.line, seen.element);
-        if (std::fabs(seen.line) > guard_limit || std::fabs(seen.element) > guard_limit) {
+    void place(const ClipPoint& point, SeenVertex& seen) const {
+        double line = 0;
+        double element = 0;
+        raster_position(point, line, element);
+        if (std::fabs(line) > guard_limit || std::fabs(element) > guard_limit) {
             seen.outside |= guard;
             return;
         }
-        seen.snapped = {static_cast<std::int32_t>(snap(seen.line)),
-                        static_cast<std::int32_t>(snap(seen.element))};
+        seen.snapped = {static_cast<std::int32_t>(snap(line)), static_cast<std::int32_t>(snap(element))};
     }
 
     void light(SeenVertex& seen, std::uint32_t index) const {
         if (seen.lit) return;
         seen.lit = true;
-        seen.point.intensity = lit_intensity(*block_, block_->vertices[index].normal);
+        seen.intensity = lit_intensity(*block_, block_->vertices[index].normal);
     }
 
     // ---- faces
@@ -178,15 +214,17 @@ private:
         const std::uint32_t* corners = block_->corners.data() + face.first_corner;
         std::uint8_t all = 0xff;
         std::uint8_t any = 0;
+        const std::int32_t line = first_line_at(see(corners[0]).snapped.line);
+        std::int32_t other_lines = 0; // stays 0 if no line's centre lies between the corners
         for (std::uint32_t k = 0; k < face.corner_count; ++k) {
-            const std::uint8_t sides = see(corners[k]).outside;
-            all &= sides;
-            any |= sides;
+            const SeenVertex& seen = see(corners[k]);
+            all &= seen.outside;
+            any |= seen.outside;
+            other_lines |= first_line_at(seen.snapped.line) ^ line;
         }
         if ((all & frustum_sides) != 0) return;
-        if (!needs_.low_faces && (any & (before_near | guard)) == 0 &&
-            between_lines(corners, face.corner_count))
-            return;
+        // Far faces are often too low for any line.
+        if (!needs_.low_faces && (any & (before_near | guard)) == 0 && other_lines == 0) return;
         depth_ = needs_.depth && !block_->at_eye ? wanted : -1;
         if (face.coloured != 0 && block_->colour == none && !block_->corner_colours.empty()) {
             put_coloured(face, corners);
@@ -198,20 +236,12 @@ private:
         }
     }
 
-    /// No line's centre lies between the corners: far faces are often too low for any.
-    bool between_lines(const std::uint32_t* corners, std::uint32_t count) {
-        const std::int32_t line = first_line_at(see(corners[0]).snapped.line);
-        for (std::uint32_t k = 1; k < count; ++k)
-            if (first_line_at(see(corners[k]).snapped.line) != line) return false;
-        return true;
-    }
-
     /// Of the whole face, when the first of its pieces is put out: what turns out not to be seen needs none.
     std::int32_t put_depth() {
         const Face& face = block_->faces[face_index_];
         scratch_.whole.clear();
         for (std::uint32_t k = 0; k < face.corner_count; ++k)
-            scratch_.whole.push_back(see(block_->corners[face.first_corner + k]).point);
+            scratch_.whole.push_back(point_of(block_->corners[face.first_corner + k]));
         out_.depths.push_back(depth_plane(view_, scratch_.whole));
         return static_cast<std::int32_t>(out_.depths.size() - 1);
     }
@@ -219,17 +249,17 @@ private:
     void put_flat(const std::uint32_t* corners, std::uint32_t count, std::int32_t intensity) {
         std::uint8_t any = 0;
         for (std::uint32_t k = 0; k < count; ++k)
-            any |= see(corners[k]).outside;
+            any |= seen_of(corners[k]).outside;
         if ((any & (before_near | guard)) == 0) {
             const std::size_t first = out_.points.size();
             for (std::uint32_t k = 0; k < count; ++k)
-                out_.points.push_back(see(corners[k]).snapped);
+                out_.points.push_back(seen_of(corners[k]).snapped);
             finish_polygon(first, -1, intensity);
             return;
         }
         scratch_.polygon.clear();
         for (std::uint32_t k = 0; k < count; ++k)
-            scratch_.polygon.push_back(see(corners[k]).point);
+            scratch_.polygon.push_back(point_of(corners[k]));
         clip_near();
         put_clipped_to_guard(-1, intensity);
     }
@@ -238,21 +268,31 @@ private:
         bool level = true;
         std::uint8_t any = 0;
         for (std::uint32_t k = 0; k < count; ++k) {
-            any |= see(corners[k]).outside;
-            light(see(corners[k]), corners[k]);
-            level = level && see(corners[k]).point.intensity == see(corners[0]).point.intensity;
+            any |= seen_of(corners[k]).outside;
+            light(seen_of(corners[k]), corners[k]);
+            level = level && seen_of(corners[k]).intensity == seen_of(corners[0]).intensity;
         }
         if (level && (any & before_near) == 0) {
-            put_flat(corners, count, static_cast<std::int32_t>(see(corners[0]).point.intensity));
+            put_flat(corners, count, seen_of(corners[0]).intensity);
             return;
         }
         for (std::uint32_t k = 1; k + 1 < count; ++k)
-            put_triangle(corners[0], corners[k], corners[k + 1]);
+            put_triangle({corner(corners[0]), corner(corners[k]), corner(corners[k + 1])});
     }
 
-    void put_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        put_triangle({&see(a), &see(b), &see(c)});
+    /// A corner of a triangle, with the intensity that counts there.
+    struct Corner {
+        std::uint32_t index = 0; ///< of its vertex
+        const SeenVertex* seen = nullptr;
+        std::int32_t intensity = 0;
+    };
+
+    Corner corner(std::uint32_t index) {
+        const SeenVertex& seen = seen_of(index);
+        return {index, &seen, seen.intensity};
     }
+
+    ClipPoint point_of(const Corner& corner) const { return point_of(corner.index, corner.intensity); }
 
     /// Three interpolants, each by the way of the one: the same triangles come three times, in the same order, and faces
     /// are put out the first time.
@@ -261,10 +301,8 @@ private:
         const std::size_t first_triangle = out_.triangles.size();
         for (const auto component : {&Colour::red, &Colour::green, &Colour::blue}) {
             for (std::uint32_t k = 1; k + 1 < face.corner_count; ++k) {
-                const std::array<SeenVertex, 3> seen = {coloured(face, corners, 0, component),
-                                                        coloured(face, corners, k, component),
-                                                        coloured(face, corners, k + 1, component)};
-                put_triangle({&seen[0], &seen[1], &seen[2]});
+                put_triangle({coloured(face, corners, 0, component), coloured(face, corners, k, component),
+                              coloured(face, corners, k + 1, component)});
             }
             triangles_alone_ = true;
         }
@@ -275,43 +313,46 @@ private:
     }
 
     /// A corner whose intensity is that of a component of its colour.
-    SeenVertex coloured(const Face& face, const std::uint32_t* corners, std::uint32_t k,
-                        std::uint8_t Colour::*component) {
-        SeenVertex seen = see(corners[k]);
+    Corner coloured(const Face& face, const std::uint32_t* corners, std::uint32_t k,
+                    std::uint8_t Colour::*component) {
         const Vec3f& normal = face.shading == Shading::vertex && block_->smooth
                                   ? block_->vertices[corners[k]].normal
                                   : face.normal;
         const std::int64_t intensity =
             face.shading == Shading::unshaded ? intensity_one : lit_intensity(*block_, normal);
         const std::uint8_t code = block_->corner_colours[face.first_corner + k].*component;
-        const std::int64_t part = (intensity * code + 127) / 255;
-        seen.point.intensity = static_cast<double>(part);
-        return seen;
+        const auto part = static_cast<std::int32_t>((intensity * code + 127) / 255);
+        return {corners[k], &seen_of(corners[k]), part};
     }
 
-    void put_triangle(const std::array<const SeenVertex*, 3>& seen) {
-        if ((seen[0]->outside & seen[1]->outside & seen[2]->outside & frustum_sides) != 0) return;
-        const std::uint8_t any = seen[0]->outside | seen[1]->outside | seen[2]->outside;
+    void put_triangle(const std::array<Corner, 3>& corners) {
+        const std::uint8_t sides[3] = {corners[0].seen->outside, corners[1].seen->outside,
+                                       corners[2].seen->outside};
+        if ((sides[0] & sides[1] & sides[2] & frustum_sides) != 0) return;
+        const std::uint8_t any = sides[0] | sides[1] | sides[2];
         if ((any & before_near) != 0) {
-            put_subdivided({seen[0]->point, seen[1]->point, seen[2]->point}, near_subdivisions);
+            put_subdivided({point_of(corners[0]), point_of(corners[1]), point_of(corners[2])},
+                           near_subdivisions);
             return;
         }
         const auto put = static_cast<std::int32_t>(out_.triangles.size());
         IntensityTriangle& triangle = out_.triangles.emplace_back();
         for (int k = 0; k < 3; ++k) {
-            const bool snapped = (seen[k]->outside & guard) == 0;
-            triangle.line[k] = snapped ? seen[k]->snapped.line : seen[k]->line;
-            triangle.element[k] = snapped ? seen[k]->snapped.element : seen[k]->element;
-            triangle.intensity[k] = static_cast<std::int32_t>(seen[k]->point.intensity);
+            const Corner& corner = corners[static_cast<std::size_t>(k)];
+            triangle.line[k] = corner.seen->snapped.line;
+            triangle.element[k] = corner.seen->snapped.element;
+            if ((sides[k] & guard) != 0)
+                raster_position(point_of(corner), triangle.line[k], triangle.element[k]);
+            triangle.intensity[k] = corner.intensity;
         }
         if ((any & guard) == 0) {
             const std::size_t first = out_.points.size();
-            for (const SeenVertex* vertex : seen)
-                out_.points.push_back(vertex->snapped);
+            for (const Corner& corner : corners)
+                out_.points.push_back(corner.seen->snapped);
             finish_polygon(first, put, 0);
             return;
         }
-        scratch_.polygon.assign({seen[0]->point, seen[1]->point, seen[2]->point});
+        scratch_.polygon.assign({point_of(corners[0]), point_of(corners[1]), point_of(corners[2])});
         put_clipped_to_guard(put, 0);
     }
 

@@ -11,24 +11,24 @@
 #include "ig/geometry/clip.h"
 #include "ig/geometry/parts.h"
 #include "ig/geometry/projected_face.h"
+#include "ig/geometry/vertex_batch.h"
 #include "ig/geometry/view.h"
 #include "ig/priority/ranked_run.h"
 
 namespace linkdig::ig {
 
-/// A vertex as the channel sees it, computed once per block.
+/// A vertex as the channel sees it, computed once per block. Small, because a face's lie far apart.
 struct SeenVertex {
-    ClipPoint point;
-    double line = 0, element = 0; ///< 1/256 pixel, unsnapped; meaningful in front of the near plane
-    RasterPoint snapped;          ///< meaningful inside the guard band
-    std::uint32_t stamp = 0;      ///< block visit it was computed for
-    std::uint8_t outside =
-        0;            ///< bit 0 before the near plane, 1 left, 2 right, 3 below, 4 above, 5 guard band
-    bool lit = false; ///< point.intensity is there
+    RasterPoint snapped;        ///< meaningful in front of the near plane and inside the guard band
+    std::uint32_t stamp = 0;    ///< block visit it was computed for
+    std::int32_t intensity = 0; ///< 1.0 = 2^22
+    std::uint8_t outside = 0;   ///< Outside
+    bool lit = false;           ///< the intensity is there
 };
 
 struct GeometryScratch {
     std::vector<SeenVertex> seen;
+    VertexBatch batch;
     std::uint32_t stamp = 0;
     std::vector<ClipPoint> whole; ///< the face as it came
     std::vector<ClipPoint> polygon;
