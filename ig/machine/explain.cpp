@@ -136,12 +136,15 @@ Layer layer_of(const StageOutputs& outputs, std::uint32_t rank, std::int32_t lin
 
 } // namespace
 
-std::vector<Layer> explain_pixel(const StageOutputs& outputs, std::int32_t line, std::int32_t element) {
+std::vector<Layer> explain_pixel(const StageOutputs& outputs, const PixelMakeUp& made, std::uint32_t line,
+                                 std::uint32_t element) {
+    const auto l = static_cast<std::int32_t>(line), e = static_cast<std::int32_t>(element);
     std::vector<Layer> layers;
     for (std::uint32_t rank = 0; rank < outputs.projected->faces.size(); ++rank) {
-        if (covers(*outputs.edges, outputs.edges->faces[rank], line, element)) {
-            layers.push_back(layer_of(outputs, rank, line, element));
-        }
+        const bool centre = covers(*outputs.edges, outputs.edges->faces[rank], l, e);
+        if (!centre && std::ranges::find(made.shares, rank, &PixelShare::rank) == made.shares.end()) continue;
+        layers.push_back(layer_of(outputs, rank, l, e));
+        layers.back().covers_centre = centre;
     }
     return layers;
 }

@@ -5,6 +5,7 @@
 #include "ig/active/face_block.h"
 #include "ig/edges/edge.h"
 #include "ig/geometry/projected_face.h"
+#include "ig/machine/make_up.h"
 #include "ig/priority/ranked_run.h"
 
 #include <cstdint>
@@ -25,17 +26,18 @@ struct PlaneTaken {
     Side side = Side::front; ///< where the face stands
 };
 
-/// One face that covers the pixel's centre.
+/// One face that covers the pixel's centre, or has a share in the pixel.
 struct Layer {
-    std::uint32_t rank = 0; ///< the lowest is seen
+    std::uint32_t rank = 0;
+    bool covers_centre = true;
     std::uint32_t list = 0;
     std::uint32_t object = 0;
     std::uint32_t cluster = 0;
     std::int32_t group_number = 0;
     std::int32_t list_number = 0;
-    std::uint16_t colour = 0; ///< colour code
-    std::uint16_t file = 0;   ///< into VisualDatabase::source_files
-    std::uint32_t line = 0;
+    std::uint16_t colour = 0;         ///< colour code
+    std::uint16_t file = 0;           ///< into VisualDatabase::source_files
+    std::uint32_t line = 0;           ///< 0: no author wrote it, the machine made it this frame
     std::vector<PlaneTaken> planes{}; ///< group's, then cluster's, then list's, each from its root
     Shading shading = Shading::face;
     bool smooth = false; ///< intensity varies over the face
@@ -60,7 +62,14 @@ struct StageOutputs {
     Vec3d eye_m{0};
 };
 
-/// Every face whose area holds the pixel's centre, front to back.
-std::vector<Layer> explain_pixel(const StageOutputs& outputs, std::int32_t line, std::int32_t element);
+/// Every face whose area holds the pixel's centre, and every face that has a share in the pixel, front to back.
+std::vector<Layer> explain_pixel(const StageOutputs& outputs, const PixelMakeUp& made, std::uint32_t line,
+                                 std::uint32_t element);
+
+/// Why a pixel is what it is.
+struct PixelReasons {
+    PixelMakeUp make_up;
+    std::vector<Layer> layers{}; ///< front to back
+};
 
 } // namespace linkdig::ig

@@ -150,6 +150,8 @@ struct Machine::State {
     tbb::task_arena arena;
     std::vector<BandWorker> workers; ///< one per thread of the arena
     History history;
+    std::vector<Colour> colours; ///< of the packet at hand
+    Colour background;
     ActiveDatabase active;
     std::vector<Channel> channels;
     WakeMakers wake_makers;
@@ -181,6 +183,9 @@ struct Machine::State {
     /// The block diagram.
     void draw(const FramePacket& packet) {
         times = {};
+        const std::vector<Colour>& codes = packet.colours.empty() ? database.colours : packet.colours;
+        colours.assign(codes.begin(), codes.end());
+        background = background_of(packet);
         run(&StageTimes::active_s, [&] { activate(database, packet, configuration, history, active); });
         make_the_water(packet);
         channels.resize(packet.channels.size());
@@ -207,7 +212,7 @@ struct Machine::State {
                         part.scratch, p == 0 ? channel.projected : part.projected);
             });
             channel.air.prepare(channel.projected.scale, raster, static_cast<double>(packet.visibility_m),
-                                background_of(packet));
+                                background);
         });
         run(&StageTimes::edges_s, [&] {
             for_parts(channel, [&](std::size_t p, GeometryPart& part) {
@@ -223,7 +228,7 @@ struct Machine::State {
             [&] { make_splats(channel.projected.lights, raster, band_lines, channel.splats); });
         run(&StageTimes::bands_s, [&] { sort_into_bands(channel.edges, raster.lines(), channel.bands); });
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
-        draw_bands(packet, channel);
+        draw_bands(channel);
         tell(channel, counts);
         count_wake_edges(channel);
         counts.most_crossings_on_a_line = most_crossings(channel.edges, raster.lines(), channel.on_line);
@@ -292,11 +297,13 @@ struct Machine::State {
         ++load.channels;
     }
 
-    void draw_bands(const FramePacket& packet, Channel& channel) {
+    VideoInput video_input(const Channel& channel) const {
+        return {&channel.projected, &channel.edges, colours, background, &channel.air, database.colours};
+    }
+
+    void draw_bands(Channel& channel) {
         const Raster& raster = configuration.raster;
-        const std::span<const Colour> colours = packet.colours.empty() ? database.colours : packet.colours;
-        const VideoInput input{&channel.projected,    &channel.edges, colours,
-                               background_of(packet), &channel.air,   database.colours};
+        const VideoInput input = video_input(channel);
         const std::uint32_t bands = band_count(raster.lines());
         channel.counts.assign(bands, {});
         const auto draw_one = [&](std::uint32_t band, BandWorker& worker) {
@@ -401,14 +408,20 @@ Machine::Source Machine::source(std::size_t channel, std::int32_t rank) const {
                 face.shading == Shading::unshaded ? intensity_one : lit_intensity(block, face.normal)};
 }
 
-std::vector<Layer> Machine::explain(std::size_t channel, std::uint32_t column, std::uint32_t row) const {
-    if (channel >= state_->channels.size()) return {};
+std::optional<PixelReasons> Machine::explain(std::size_t channel, std::uint32_t column,
+                                             std::uint32_t row) const {
+    if (channel >= state_->channels.size()) return std::nullopt;
     const Channel& drawn = state_->channels[channel];
-    if (column >= drawn.picture.width || row >= drawn.picture.height) return {};
-    const bool horizontal = state_->configuration.raster.scan == Scan::horizontal;
+    if (column >= drawn.picture.width || row >= drawn.picture.height) return std::nullopt;
+    const Configuration& configuration = state_->configuration;
+    const bool horizontal = configuration.raster.scan == Scan::horizontal;
+    const std::uint32_t line = horizontal ? row : column, element = horizontal ? column : row;
+    PixelReasons reasons{.make_up = make_up({state_->video_input(drawn), &drawn.bands, &drawn.splats,
+                                             configuration.raster, configuration.edge_smoothing},
+                                            line, element)};
     const StageOutputs outputs{&state_->active, &drawn.order, &drawn.projected, &drawn.edges, drawn.eye_m};
-    return explain_pixel(outputs, static_cast<std::int32_t>(horizontal ? row : column),
-                         static_cast<std::int32_t>(horizontal ? column : row));
+    reasons.layers = explain_pixel(outputs, reasons.make_up, line, element);
+    return reasons;
 }
 
 } // namespace linkdig::ig

@@ -9,6 +9,7 @@
 #include "ig/video/line.h"
 
 #include <memory>
+#include <optional>
 
 namespace linkdig::ig {
 
@@ -55,9 +56,9 @@ public:
     };
     Source source(std::size_t channel, std::int32_t rank) const;
 
-    /// Every face over a pixel of a channel of the last frame, front to back (column and row as the viewer sees them).
-    /// Empty beyond the picture, or if the channel was never drawn.
-    std::vector<Layer> explain(std::size_t channel, std::uint32_t column, std::uint32_t row) const;
+    /// What a pixel of a channel of the last frame is made of, and every face over it (column and row as the viewer sees them).
+    /// Nothing beyond the picture, or if the channel was never drawn.
+    std::optional<PixelReasons> explain(std::size_t channel, std::uint32_t column, std::uint32_t row) const;
 
 private:
     struct State;

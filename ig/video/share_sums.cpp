@@ -1,9 +1,7 @@
 #include "ig/video/share_sums.h"
 
-#include "ig/edges/edges.h"
 #include "ig/scanline/open_mask.h"
-#include "ig/video/colour_run.h"
-#include "ig/video/inverse_range.h"
+#include "ig/video/see.h"
 #include "ig/video/share_run.h"
 
 #include <algorithm>
@@ -12,12 +10,6 @@
 namespace linkdig::ig {
 
 namespace {
-
-/// What is seen of a face in one pixel.
-struct Seen {
-    Components light;
-    std::int32_t intensity = -1;
-};
 
 SumsAt sums_at(ShareSums& sums, std::size_t at) {
     return {sums.red.data() + at, sums.green.data() + at, sums.blue.data() + at};
@@ -169,8 +161,8 @@ private:
             const std::uint32_t element = run.first + k;
             const std::size_t at = place(run.line, element);
             if (face == nullptr) {
-                add(at, weight, {lit(input_.background, intensity_one), -1}, run.face);
-            } else if (const Seen seen = see(run.face, run.line, element); face->added_to != none) {
+                add(at, weight, {lit(input_.background, intensity_one)}, run.face);
+            } else if (const Seen seen = see(input_, run.face, run.line, element); face->added_to != none) {
                 set_bits(there(*light, run.line), element, element + 1);
                 light->red[at] += seen.light.red * weight >> whole_pixel_bits;
                 light->green[at] += seen.light.green * weight >> whole_pixel_bits;
@@ -186,29 +178,6 @@ private:
         seen.light = {std::min(seen.light.red + light.red[at], brightest),
                       std::min(seen.light.green + light.green[at], brightest),
                       std::min(seen.light.blue + light.blue[at], brightest)};
-        return seen;
-    }
-
-    Seen see(std::uint32_t rank, std::uint32_t line, std::uint32_t element) const {
-        const ProjectedFace& face = input_.projected->faces[rank];
-        const EdgeFace& edges = input_.edges->faces[rank];
-        const auto l = static_cast<std::int32_t>(line), e = static_cast<std::int32_t>(element);
-        const IntensityPlane* planes = input_.edges->planes.data() + std::max(edges.plane, 0);
-        Seen seen;
-        if (edges.coloured) {
-            const Tint tint = tint_at(planes, l, e);
-            seen = {lit(tint), std::max({tint[0], tint[1], tint[2]})};
-        } else {
-            seen.intensity = edges.plane < 0 ? face.intensity : intensity_at(*planes, l, e);
-            seen.light = lit(input_.colours[face.colour], seen.intensity);
-        }
-        const Air& air = *input_.air;
-        if (air.clear() || face.depth < 0) return seen;
-        const DepthPlane& depth = input_.projected->depths[static_cast<std::size_t>(face.depth)];
-        std::int32_t transmission = 0;
-        if (!air.is_flat(depth, transmission)) transmission = transmission_of(depth, air, l, e);
-        // Light that is added brings no horizon of its own: the face behind it does.
-        seen.light = through_air(seen.light, transmission, face.added_to != none ? Colour{} : air.horizon());
         return seen;
     }
 

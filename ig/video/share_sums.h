@@ -1,28 +1,14 @@
 #pragma once
 /// The shared pixels of a band: shares are added up front to back, each pixel is rounded, clamped and written once.
 
-#include "database/model/visual_database.h"
-#include "ig/edges/edge.h"
-#include "ig/geometry/projected_face.h"
 #include "ig/scanline/segment.h"
 #include "ig/video/beam.h"
-#include "ig/video/fog.h"
+#include "ig/video/video_input.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace linkdig::ig {
-
-/// What a channel's bands are coloured with.
-struct VideoInput {
-    const ProjectedFaces* projected = nullptr;
-    const FaceEdges* edges = nullptr;
-    std::span<const Colour> colours; ///< of faces
-    Colour background;
-    const Air* air = nullptr;
-    std::span<const Colour> light_colours{};
-};
 
 /// Of a shared pixel, where planes are wanted.
 struct PixelTale {

@@ -1,0 +1,33 @@
+#include "ig/video/see.h"
+
+#include "ig/edges/edges.h"
+#include "ig/video/colour_run.h"
+#include "ig/video/inverse_range.h"
+
+#include <algorithm>
+
+namespace linkdig::ig {
+
+Seen see(const VideoInput& input, std::uint32_t rank, std::uint32_t line, std::uint32_t element) {
+    const ProjectedFace& face = input.projected->faces[rank];
+    const EdgeFace& edges = input.edges->faces[rank];
+    const auto l = static_cast<std::int32_t>(line), e = static_cast<std::int32_t>(element);
+    const IntensityPlane* planes = input.edges->planes.data() + std::max(edges.plane, 0);
+    Seen seen;
+    if (edges.coloured) {
+        const Tint tint = tint_at(planes, l, e);
+        seen.light = lit(tint);
+        seen.intensity = std::max({tint[0], tint[1], tint[2]});
+    } else {
+        seen.intensity = edges.plane < 0 ? face.intensity : intensity_at(*planes, l, e);
+        seen.light = lit(input.colours[face.colour], seen.intensity);
+    }
+    const Air& air = *input.air;
+    if (air.clear() || face.depth < 0) return seen;
+    const DepthPlane& depth = input.projected->depths[static_cast<std::size_t>(face.depth)];
+    if (!air.is_flat(depth, seen.transmission)) seen.transmission = transmission_of(depth, air, l, e);
+    seen.light = through_air(seen.light, seen.transmission, face.added_to != none ? Colour{} : air.horizon());
+    return seen;
+}
+
+} // namespace linkdig::ig
