@@ -52,12 +52,13 @@ void write_grey(const WaveField& field, const std::string& path) {
 void tell(const WakeOptions& options, const WakeSpec& spec, const WakeFieldResult& made, double seconds) {
     std::uint64_t samples = 0;
     for (const KelvinCount& count : made.kelvin.swimmers)
-        samples += count.samples;
+        samples += count.drawn;
     if (options.json) {
         nlohmann::ordered_json swimmers = nlohmann::ordered_json::array();
         for (std::size_t i = 0; i < spec.wakes.swimmers.size(); ++i)
             swimmers.push_back({{"name", spec.wakes.swimmers[i].name},
                                 {"samples", made.kelvin.swimmers[i].samples},
+                                {"drawn", made.kelvin.swimmers[i].drawn},
                                 {"outside", made.kelvin.swimmers[i].outside}});
         fmt::print("{}\n", nlohmann::ordered_json{{"field", options.output},
                                                   {"cells", made.kelvin.field.size},
@@ -81,11 +82,19 @@ void tell(const WakeOptions& options, const WakeSpec& spec, const WakeFieldResul
     fmt::print("\n");
 }
 
-/// A path may leave the grid: that is no mistake, but whoever wrote the file should know.
-void warn_of_outside(const WakeSpec& spec, const WakeFieldResult& made) {
+/// A path may leave the grid, and waves may be too short for it: that is no mistake, but whoever wrote the file should know.
+void warn_of_what_is_missing(const WakeSpec& spec, const WakeFieldResult& made) {
     for (std::size_t i = 0; i < spec.wakes.swimmers.size(); ++i) {
         const KelvinCount& count = made.kelvin.swimmers[i];
-        const double share = 100.0 * static_cast<double>(count.outside) / static_cast<double>(count.samples);
+        constexpr double whole_from = 4.0; // database/water/kelvin_wake.h
+        if (spec.wakes.sampling != database::KelvinSampling::column && count.longest_cells < whole_from)
+            fmt::print(stderr,
+                       "linkdig: warning: the longest waves of \"{}\" are {:.2g} cells long; waves under two "
+                       "cells are left "
+                       "out, and up to four they fade in\n",
+                       spec.wakes.swimmers[i].name, count.longest_cells);
+        if (count.drawn == 0) continue;
+        const double share = 100.0 * static_cast<double>(count.outside) / static_cast<double>(count.drawn);
         if (share > 0.005)
             fmt::print(
                 stderr,
@@ -111,7 +120,7 @@ int wake(const WakeOptions& options) {
     ig::write_exr(options.output, field.size, field.size, from_top(field));
     if (options.png)
         write_grey(field, std::filesystem::path(options.output).replace_extension(".png").string());
-    warn_of_outside(*spec, made);
+    warn_of_what_is_missing(*spec, made);
     tell(options, *spec, made, seconds);
     return ExitCode::done;
 }

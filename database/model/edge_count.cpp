@@ -52,16 +52,18 @@ std::vector<std::uint32_t> count_by_owner(std::vector<OwnedEdge>& edges, std::si
     return counts;
 }
 
+/// Of each list: the objects that may be there together, each with its edges, and no more than the list has at all.
 std::vector<std::uint32_t> count_at_most(const VisualDatabase& database,
-                                         const std::vector<std::uint32_t>& objects) {
+                                         const std::vector<std::uint32_t>& objects,
+                                         const std::vector<std::uint32_t>& lists) {
     std::vector<MostAtOnce> present(database.lists.size());
     for (std::size_t i = 0; i < objects.size(); ++i) {
         const Object& object = database.objects[i];
         present[object.list].add(object.slot, object.alternative, object.level, objects[i]);
     }
     std::vector<std::uint32_t> most;
-    for (const MostAtOnce& each : present)
-        most.push_back(static_cast<std::uint32_t>(each.most(database)));
+    for (std::size_t i = 0; i < lists.size(); ++i)
+        most.push_back(std::min(lists[i], static_cast<std::uint32_t>(present[i].most(database))));
     return most;
 }
 
@@ -83,7 +85,7 @@ EdgeCounts count_edges(const VisualDatabase& database) {
     for (OwnedEdge& edge : edges)
         edge.owner = database.objects[edge.owner].list;
     counts.lists = count_by_owner(edges, database.lists.size());
-    counts.lists_at_most = count_at_most(database, counts.objects);
+    counts.lists_at_most = count_at_most(database, counts.objects, counts.lists);
     return counts;
 }
 

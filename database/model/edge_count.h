@@ -13,8 +13,8 @@ struct EdgeCounts {
     std::vector<std::uint32_t> objects; ///< parallel to VisualDatabase::objects
     /// Parallel to VisualDatabase::lists; objects of a list may share edges.
     std::vector<std::uint32_t> lists;
-    /// Not less than the edges that can be present at once: sums over the objects of which slots and levels of detail
-    /// allow the most together. A tile's edges are not counted.
+    /// Not less than the edges that can be present at once, and not more than `lists`: sums over the objects of which slots and
+    /// levels of detail allow the most together. A tile's edges are not counted.
     std::vector<std::uint32_t> lists_at_most;
 };
 

@@ -18,12 +18,12 @@ namespace {
 /// so many eighths of a sample (van der Corput's order).
 constexpr std::array<int, 8> shifts{0, 4, 2, 6, 1, 5, 3, 7};
 
-/// Samples of the curve of psi = 1.
+/// Samples of the curve of psi = 1 on one side; each has its mirror image on the other.
 struct Shape {
     struct Sample {
         double two_cosine = 2.0; ///< s' / psi
         double ahead = 1.0;      ///< cos^3 u, along T from P(s')
-        double right = 0.0;      ///< sin u cos^2 u, along -N
+        double right = 0.0;      ///< sin u cos^2 u, along -N; of the mirror image along N
         double weight = 1.0;     ///< length that the sample stands for; 1 in the column's way
     };
     std::array<std::vector<Sample>, shifts.size()> samples;
@@ -48,7 +48,7 @@ double weight_at(double u, KelvinSampling sampling, std::uint32_t steps, double 
     return stands_for / steps * kept_on_grid(cells_long * square);
 }
 
-/// Each sample has its mirror image on the other side. `cells_long`: length of the transverse waves.
+/// `cells_long`: length of the transverse waves.
 Shape shape_of(KelvinSampling sampling, std::uint32_t steps, double cells_long) {
     Shape shape;
     const std::uint32_t half = (steps + 1) / 2;
@@ -60,7 +60,6 @@ Shape shape_of(KelvinSampling sampling, std::uint32_t steps, double cells_long) 
             const double weight = weight_at(u, sampling, 2 * half, cells_long);
             if (!(weight > 0.0)) continue;
             shape.samples[shift].push_back(sample_at(u, weight));
-            shape.samples[shift].push_back(sample_at(-u, weight));
         }
     }
     return shape;
@@ -90,6 +89,17 @@ double fixed_point_one(const KelvinWakes& wakes) {
     return std::ldexp(1.0, 61 - std::ilogb(greatest));
 }
 
+/// Samples of a curve that were drawn, and of them those beyond the grid.
+struct Drawn {
+    std::uint64_t all = 0;
+    std::uint64_t outside = 0;
+    void add(bool on_grid) {
+        ++all;
+        if (!on_grid) ++outside;
+    }
+    Drawn operator+(const Drawn& other) const { return {all + other.all, outside + other.outside}; }
+};
+
 /// One swimmer's curves.
 class Sweep {
 public:
@@ -107,8 +117,8 @@ public:
 
     std::uint64_t curves() const { return curves_of(wakes_, length_); }
 
-    /// Curve number k, in the middle of its share of psi. Returns the samples beyond the grid.
-    std::uint64_t draw(std::uint64_t k, SplatGrid& grid) const {
+    /// Curve number k, in the middle of its share of psi.
+    Drawn draw(std::uint64_t k, SplatGrid& grid) const {
         const double psi = (static_cast<double>(k) + 0.5) * dpsi_;
         const double t = psi / swimmer_.speed;
         const double decay = swimmer_.damping_per_s * t;
@@ -134,35 +144,36 @@ private:
                 path_.tangents[i] + f * (path_.tangents[i + 1] - path_.tangents[i])};
     }
 
-    std::uint64_t rays(double psi, double amount, const std::vector<Shape::Sample>& samples,
-                       SplatGrid& grid) const {
-        std::uint64_t outside = 0;
+    /// A sample and its mirror image.
+    static void draw_both(const Place& from, double ahead, double right, double amount, SplatGrid& grid,
+                          Drawn& drawn) {
+        const double x = from.point.x + ahead * from.tangent.x;
+        const double y = from.point.y + ahead * from.tangent.y;
+        const double across_x = right * from.tangent.y, across_y = right * from.tangent.x;
+        drawn.add(grid.add(x + across_x, y - across_y, amount));
+        drawn.add(grid.add(x - across_x, y + across_y, amount));
+    }
+
+    Drawn rays(double psi, double amount, const std::vector<Shape::Sample>& samples, SplatGrid& grid) const {
+        Drawn drawn;
         for (const Shape::Sample& sample : samples) {
             const double s = psi * sample.two_cosine;
             if (s > farthest_) continue;
-            const Place from = at(s);
-            const double ahead = psi * sample.ahead;
-            const double right = psi * sample.right;
-            const double x = from.point.x + ahead * from.tangent.x + right * from.tangent.y;
-            const double y = from.point.y + ahead * from.tangent.y - right * from.tangent.x;
-            if (!grid.add(x, y, amount * sample.weight)) ++outside;
+            draw_both(at(s), psi * sample.ahead, psi * sample.right, amount * sample.weight, grid, drawn);
         }
-        return outside;
+        return drawn;
     }
 
-    std::uint64_t along_tangent(double psi, double amount, const std::vector<Shape::Sample>& samples,
-                                SplatGrid& grid) const {
-        std::uint64_t outside = 0;
+    Drawn along_tangent(double psi, double amount, const std::vector<Shape::Sample>& samples,
+                        SplatGrid& grid) const {
+        Drawn drawn;
         const Place middle = at(psi);
         for (const Shape::Sample& sample : samples) {
             const double ahead =
                 psi * (1.0 - sample.two_cosine + sample.ahead); // K(psi, 0) falls on the path
-            const double right = psi * sample.right;
-            const double x = middle.point.x + ahead * middle.tangent.x + right * middle.tangent.y;
-            const double y = middle.point.y + ahead * middle.tangent.y - right * middle.tangent.x;
-            if (!grid.add(x, y, amount * sample.weight)) ++outside;
+            draw_both(middle, ahead, psi * sample.right, amount * sample.weight, grid, drawn);
         }
-        return outside;
+        return drawn;
     }
 
     double one_;
@@ -193,13 +204,15 @@ KelvinResult kelvin_field(const KelvinWakes& wakes) {
     KelvinResult result;
     for (const KelvinSwimmer& swimmer : wakes.swimmers) {
         const Sweep sweep(wakes, swimmer, one);
-        tbb::enumerable_thread_specific<std::uint64_t> outside(0U);
+        tbb::enumerable_thread_specific<Drawn> drawn;
         tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, sweep.curves(), 32), [&](const auto& curves) {
             SplatGrid& grid = grids.local();
             for (std::uint64_t k = curves.begin(); k != curves.end(); ++k)
-                outside.local() += sweep.draw(k, grid);
+                drawn.local() = drawn.local() + sweep.draw(k, grid);
         });
-        result.swimmers.push_back({sweep.curves() * wakes.u_steps, outside.combine(std::plus<>())});
+        const Drawn all = drawn.combine(std::plus<>());
+        result.swimmers.push_back(
+            {sweep.curves() * wakes.u_steps, all.all, all.outside, transverse_cells(wakes, swimmer)});
     }
     SplatGrid sum = empty;
     for (const SplatGrid& grid : grids)

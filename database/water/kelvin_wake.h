@@ -56,8 +56,10 @@ struct KelvinWakes {
 };
 
 struct KelvinCount {
-    std::uint64_t samples = 0; ///< computed
-    std::uint64_t outside = 0; ///< of them beyond the grid, left out
+    std::uint64_t samples = 0; ///< asked for: curves x u_steps
+    std::uint64_t drawn = 0;   ///< of them those of a wave that the path has, and that the grid can hold
+    std::uint64_t outside = 0; ///< of those drawn beyond the grid, left out
+    double longest_cells = 0;  ///< length of the transverse waves, the longest
 };
 
 struct KelvinResult {

@@ -58,6 +58,17 @@ TEST(Wake, MistakesAndPathsThatLeaveTheField) {
     const Outcome outside = run("wake " + spec + " -o " + folder.file("a.exr"));
     EXPECT_EQ(outside.exit_code, 0);
     EXPECT_THAT(outside.errors, HasSubstr("% of the wake of \"boat\" lies beyond the field and is left out"));
+    std::ofstream(spec)
+        << "[field]\ncells = 32\nside_m = 8.0\n[[swimmer]]\nname = \"boat\"\nspeed_mps = 1.0\n"
+           "[[swimmer.path]]\nkind = \"line\"\npoints_m = [[100.0, 4.0], [114.0, 4.0]]\n";
+    EXPECT_THAT(run("wake " + spec + " -o " + folder.file("a.exr")).errors,
+                HasSubstr("100.00 % of the wake of \"boat\" lies beyond the field and is left out"));
+    std::ofstream(spec)
+        << "[field]\ncells = 32\nside_m = 8.0\n[[swimmer]]\nname = \"boat\"\nspeed_mps = 0.5\n"
+           "[[swimmer.path]]\nkind = \"line\"\npoints_m = [[1.0, 4.0], [7.0, 4.0]]\n";
+    EXPECT_THAT(
+        run("wake " + spec + " -o " + folder.file("a.exr")).errors,
+        HasSubstr("the longest waves of \"boat\" are 0.64 cells long; waves under two cells are left out"));
     EXPECT_EQ(run("wake " + star + " --size 64 -o /nowhere/a.exr").exit_code, 3);
 }
 

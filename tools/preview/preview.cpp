@@ -139,6 +139,9 @@ FramePacket preview_packet(const VisualDatabase& database, const PreviewSubject&
                            const PreviewView& view, double aspect) {
     FramePacket packet;
     packet.suns.assign(database.suns.size(), default_sun());
+    for (const ObjectList& list :
+         database.lists) // a dome's normals are its shading under a sun straight above
+        if (list.attachment == Attachment::eye) packet.suns[list.sun] = {0.0F, 0.0F, 1.0F};
     packet.moving_objects.resize(database.moving_objects.size());
     for (std::size_t i = 0; i < packet.moving_objects.size(); ++i)
         packet.moving_objects[i].visible = subject.moving_object == static_cast<std::int32_t>(i);

@@ -37,6 +37,7 @@ TEST(EdgeCount, ObjectsThatTouchShareEdgesInTheirList) {
     const CompileResult result = compile_text(scene(box_object("a", 0) + box_object("b", 1)));
     ASSERT_TRUE(result.database) << messages(result);
     EXPECT_THAT(count_edges(*result.database).lists, ElementsAre(20U));
+    EXPECT_THAT(count_edges(*result.database).lists_at_most, ElementsAre(20U)); // never more than there are
 }
 
 TEST(EdgeCount, AlternativesCountOnce) {
