@@ -11,12 +11,22 @@ namespace {
 constexpr std::uint32_t rows_of_a_run = 16;
 constexpr float dark = 0.002F; ///< half a step of an 8-bit colour
 
+/// How much the light changes between two corners.
+float change_between(const ActiveDatabase& active, std::uint32_t a, std::uint32_t b) {
+    const Vec3f change = active.made_vertices[a].normal - active.made_vertices[b].normal;
+    return change.x * change.x + change.y * change.y + change.z * change.z;
+}
+
+/// A square is cut along the diagonal from its first corner: the one over which the light changes less, or a crest that runs the other
+/// way would have teeth.
 void make_square(const MeshRows& mesh, std::uint32_t row, std::uint32_t column, Face face,
                  ActiveDatabase& active) {
     const std::uint32_t at = mesh.first_vertex + row * mesh.columns + column;
-    const std::uint32_t corners[4] = {at, at + 1, at + mesh.columns + 1, at + mesh.columns};
+    std::uint32_t corners[4] = {at, at + 1, at + mesh.columns + 1, at + mesh.columns};
     if (std::ranges::all_of(corners, [&](std::uint32_t c) { return is_dark(active.made_vertices[c]); }))
         return;
+    if (change_between(active, corners[1], corners[3]) < change_between(active, corners[0], corners[2]))
+        std::ranges::rotate(corners, std::begin(corners) + 1);
     face.first_corner = static_cast<std::uint32_t>(active.made_corners.size());
     active.made_corners.insert(active.made_corners.end(), std::begin(corners), std::end(corners));
     active.made_faces.push_back(face);
