@@ -174,11 +174,15 @@ private:
         made.first_outline = static_cast<std::uint32_t>(out_.outlines.size());
         std::int32_t least = points[0].line;
         std::int32_t greatest = points[0].line;
+        std::int32_t leftmost = points[0].element;
+        std::int32_t rightmost = points[0].element;
         for (std::size_t k = 0; k < count; ++k) {
             const RasterPoint& from = points[k];
             const RasterPoint& to = points[k + 1 == count ? 0 : k + 1];
             least = std::min(least, from.line);
             greatest = std::max(greatest, from.line);
+            leftmost = std::min(leftmost, from.element);
+            rightmost = std::max(rightmost, from.element);
             if (from.line == to.line) continue;
             const bool begins = to.line < from.line;
             const RasterPoint& upper = begins ? to : from;
@@ -189,6 +193,8 @@ private:
         made.outlines = static_cast<std::uint32_t>(out_.outlines.size()) - made.first_outline;
         made.first_line = std::clamp(least >> 8, 0, lines_);
         made.end_line = std::clamp((greatest + 255) >> 8, 0, lines_);
+        made.first_element = std::clamp(leftmost >> 8, 0, elements_);
+        made.end_element = std::clamp((rightmost >> 8) + 1, 0, elements_);
     }
 
     const ProjectedFaces& projected_;

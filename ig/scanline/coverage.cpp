@@ -38,8 +38,11 @@ bool piece_of(const OutlineEdge& edge, std::int32_t line, EdgePiece& piece) {
     const std::int32_t upper_x = begins ? edge.upper_element : at_border(edge, line);
     const std::int32_t lower_x = ends ? edge.lower_element : at_border(edge, line + 1);
     const std::int32_t height = (ends ? edge.lower_line - top : 256) - (begins ? edge.upper_line - top : 0);
-    piece = upper_x <= lower_x ? EdgePiece{upper_x, lower_x, height, height, edge.sign}
-                               : EdgePiece{lower_x, upper_x, -height, height, edge.sign};
+    piece.left = std::min(upper_x, lower_x);
+    piece.right = std::max(upper_x, lower_x);
+    piece.rise = upper_x <= lower_x ? height : -height;
+    piece.height = height;
+    piece.sign = edge.sign;
     return height != 0;
 }
 
@@ -105,12 +108,15 @@ void widen_whole(LineCoverage& coverage) {
 void trace_line(std::span<const OutlineEdge> outline, std::int32_t line, std::int32_t elements,
                 OutlineLine& traced) {
     traced.pieces.clear();
-    traced.leading = traced.trailing = {};
-    EdgePiece piece;
+    traced.leading = {};
+    traced.trailing = {};
     for (const OutlineEdge& edge : outline) {
-        if (!piece_of(edge, line, piece)) continue;
-        (edge.sign > 0 ? traced.leading : traced.trailing).add(piece);
-        traced.pieces.push_back(piece);
+        EdgePiece& piece = traced.pieces.emplace_back(); // a copy would wait for its parts to be written
+        if (piece_of(edge, line, piece)) {
+            (edge.sign > 0 ? traced.leading : traced.trailing).add(piece);
+        } else {
+            traced.pieces.pop_back();
+        }
     }
     traced.begin = std::clamp(std::min(traced.leading.begin, traced.trailing.begin), 0, elements);
     traced.end = std::clamp(std::max(traced.leading.end, traced.trailing.end), 0, elements);

@@ -2,7 +2,9 @@
 
 #include "ig/edges/edges.h"
 #include "ig/scanline/fetch_ahead.h"
+#include "ig/scanline/narrow_lines.h"
 #include "ig/scanline/open_mask.h"
+#include "ig/simd/simd_level.h"
 
 #include <algorithm>
 
@@ -62,8 +64,9 @@ private:
         band_.stride = words_ + 1;
         band_.open.assign((band_lines + lines_behind) * band_.stride, ~std::uint64_t{0});
         out_.words = words_;
-        out_.shared.assign(lines * words_, 0);
-        const std::size_t pixels = std::size_t{band_lines} * static_cast<std::size_t>(elements_);
+        out_.shared.assign(lines * words_ + 1, 0); // a spare word (narrow_lines.h)
+        const std::size_t pixels = std::size_t{band_lines} * static_cast<std::size_t>(elements_) +
+                                   static_cast<std::size_t>(narrow_elements);
         if (scratch_.left.size() < pixels) scratch_.left.resize(pixels, whole_pixel);
         const std::uint32_t beyond = words_ * word_bits - static_cast<std::uint32_t>(elements_);
         for (std::size_t line = 0; line < lines && beyond > 0; ++line) {
@@ -130,9 +133,17 @@ private:
                                                    face_->outlines);
         for (std::int32_t line = from; line < to; ++line) {
             const auto l = static_cast<std::size_t>(line - first_line_);
-            if (band_.count[l] == 0) continue;
+            // Most lines of faces that others hide are closed wherever the face may reach.
+            if (band_.count[l] == 0 || !any_open(l, face_->first_element, face_->end_element)) continue;
             trace_line(outline, line, elements_, scratch_.traced);
             if (!any_open(l, scratch_.traced.begin, scratch_.traced.end)) continue;
+            if (narrow_at_once_ && !face_->blends && is_narrow(scratch_.traced, elements_)) {
+                sharing_ = true;
+                lose(l, put_narrow_line(
+                            scratch_.traced, rank_,
+                            {open_of(l), out_.shared.data() + l * words_, left_of(l), line_number(l)}, out_));
+                continue;
+            }
             cover_line(scratch_.traced, elements_, scratch_.coverage);
             put_covered(l);
         }
@@ -397,6 +408,7 @@ private:
     std::int32_t elements_;
     std::uint32_t words_;
     bool smoothing_;
+    bool narrow_at_once_ = !simd_is_off();
     std::int32_t first_line_;
     std::int32_t end_line_;
     bool sharing_ = false; ///< some pixel has a share already

@@ -3,6 +3,29 @@
 #include "ig/simd/simd_level.h"
 
 #include <algorithm>
+#include <bit>
+
+#ifndef LINKDIG_SHARE_RUN_ONCE // this file is compiled once per SIMD level
+#define LINKDIG_SHARE_RUN_ONCE
+namespace linkdig::ig {
+namespace {
+
+std::uint32_t value_at(const IntensityPlane& plane, std::int32_t line, std::int32_t element) {
+    return plane.value + static_cast<std::uint32_t>(element - plane.reference_element) * plane.along +
+           static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
+}
+
+/// Runs of one face.
+struct Runs {
+    const RunColour& colour;
+    const ShareRun* first;
+    std::size_t count;
+    const std::uint32_t* weights;
+};
+
+} // namespace
+} // namespace linkdig::ig
+#endif
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ig/video/share_run.cpp"
@@ -36,83 +59,108 @@ struct Lighter {
 };
 
 /// What a vector of one component, and of weights, adds.
-struct Adder {
-    static HWY_INLINE void Share(std::uint32_t* HWY_RESTRICT sums, hn::Vec<SumU> component,
-                                 hn::Vec<SumU> weight) {
-        const SumU d;
-        hn::StoreU(hn::Add(hn::LoadU(d, sums), hn::Mul(component, weight)), d, sums);
-    }
-    static HWY_INLINE void Lit(std::uint32_t* HWY_RESTRICT sums, const std::uint32_t* HWY_RESTRICT light,
-                               hn::Vec<SumU> component, hn::Vec<SumU> weight) {
-        const SumU d;
-        const auto both = hn::Add(component, hn::LoadU(d, light));
-        Share(sums, hn::Min(both, hn::Set(d, brightest)), weight);
-    }
-    static HWY_INLINE void Light(std::uint32_t* HWY_RESTRICT light, hn::Vec<SumU> component,
-                                 hn::Vec<SumU> weight) {
-        const SumU d;
-        hn::StoreU(hn::Add(hn::LoadU(d, light), hn::ShiftRight<whole_pixel_bits>(hn::Mul(component, weight))),
-                   d, light);
-    }
-};
+HWY_INLINE void AddShare(std::uint32_t* HWY_RESTRICT sums, hn::Vec<SumU> component, hn::Vec<SumU> weight) {
+    const SumU d;
+    hn::StoreU(hn::Add(hn::LoadU(d, sums), hn::Mul(component, weight)), d, sums);
+}
 
-/// The run a vector at a time: add(k, red, green, blue, weight).
+HWY_INLINE void AddLit(std::uint32_t* HWY_RESTRICT sums, const std::uint32_t* HWY_RESTRICT light,
+                       hn::Vec<SumU> component, hn::Vec<SumU> weight) {
+    const SumU d;
+    const auto both = hn::Add(component, hn::LoadU(d, light));
+    AddShare(sums, hn::Min(both, hn::Set(d, brightest)), weight);
+}
+
+HWY_INLINE void AddLight(std::uint32_t* HWY_RESTRICT light, hn::Vec<SumU> component, hn::Vec<SumU> weight) {
+    const SumU d;
+    const auto part = hn::ShiftRight<whole_pixel_bits>(hn::Mul(component, weight));
+    hn::StoreU(hn::Add(hn::LoadU(d, light), part), d, light);
+}
+
+/// The runs a vector at a time: add(place, red, green, blue, weight).
 template <typename Add>
-HWY_INLINE void ForRun(const RunColour& run, std::uint32_t value, const RunPlace& place, Add add) {
+HWY_INLINE void ForRuns(const Runs& runs, const BandSums& sums, Add add) {
     const SumI di;
     const SumU du;
     const std::size_t lanes = hn::Lanes(di);
-    const auto least = hn::Set(di, run.plane.least);
-    const auto greatest = hn::Set(di, run.plane.greatest);
+    const IntensityPlane& plane = runs.colour.plane;
+    const auto least = hn::Set(di, plane.least);
+    const auto greatest = hn::Set(di, plane.greatest);
     const auto one = hn::Set(di, 32767);
-    const auto along = static_cast<std::int32_t>(run.plane.along);
-    auto at =
-        hn::Add(hn::Set(di, static_cast<std::int32_t>(value)), hn::Mul(hn::Iota(di, 0), hn::Set(di, along)));
-    const auto step =
-        hn::Set(di, static_cast<std::int32_t>(run.plane.along * static_cast<std::uint32_t>(lanes)));
-    const Lighter red(run.colour.red, run.horizon.red, run.transmission);
-    const Lighter green(run.colour.green, run.horizon.green, run.transmission);
-    const Lighter blue(run.colour.blue, run.horizon.blue, run.transmission);
-    for (std::size_t k = 0; k < place.count; k += lanes) {
-        const auto clamped = hn::Max(least, hn::Min(at, greatest));
-        at = hn::Add(at, step);
-        const auto scale = hn::BitCast(du, hn::Min(hn::ShiftRight<7>(clamped), one));
-        // Behind the run's end weights are nought: the sums there stay as they are.
-        const auto mine = hn::FirstN(du, std::min(lanes, place.count - k));
-        const auto weight = hn::IfThenElseZero(mine, hn::LoadU(du, place.weights + k));
-        add(k, red.At(scale), green.At(scale), blue.At(scale), weight);
+    const auto ramp = hn::Mul(hn::Iota(di, 0), hn::Set(di, static_cast<std::int32_t>(plane.along)));
+    const auto step = hn::Set(di, static_cast<std::int32_t>(plane.along * static_cast<std::uint32_t>(lanes)));
+    const RunColour& colour = runs.colour;
+    const Lighter red(colour.colour.red, colour.horizon.red, colour.transmission);
+    const Lighter green(colour.colour.green, colour.horizon.green, colour.transmission);
+    const Lighter blue(colour.colour.blue, colour.horizon.blue, colour.transmission);
+    for (const ShareRun *run = runs.first, *end = run + runs.count; run != end; ++run) {
+        auto at =
+            hn::Add(hn::Set(di, static_cast<std::int32_t>(value_at(plane, run->line, run->first))), ramp);
+        const std::size_t place = sums.at(run->line, run->first);
+        for (std::size_t k = 0; k < run->count; k += lanes) {
+            const auto clamped = hn::Max(least, hn::Min(at, greatest));
+            at = hn::Add(at, step);
+            const auto scale = hn::BitCast(du, hn::Min(hn::ShiftRight<7>(clamped), one));
+            // Behind the run's end weights are nought: the sums there stay as they are.
+            const auto mine = hn::FirstN(du, std::min<std::size_t>(lanes, run->count - k));
+            const auto weight = hn::IfThenElseZero(mine, hn::LoadU(du, runs.weights + run->first_weight + k));
+            add(place + k, red.At(scale), green.At(scale), blue.At(scale), weight);
+        }
     }
 }
 
-void AddShareRun(const RunColour& run, std::uint32_t value, const RunPlace& place, const SumsAt& sums) {
-    using Vector = hn::Vec<SumU>;
-    ForRun(run, value, place,
-           [&](std::size_t k, Vector red, Vector green, Vector blue, Vector weight) HWY_ATTR {
-               Adder::Share(sums.red + k, red, weight);
-               Adder::Share(sums.green + k, green, weight);
-               Adder::Share(sums.blue + k, blue, weight);
-           });
+using SumVector = hn::Vec<SumU>;
+
+void AddShareRuns(const Runs& runs, const BandSums& sums) {
+    ForRuns(runs, sums,
+            [&](std::size_t at, SumVector red, SumVector green, SumVector blue, SumVector weight) HWY_ATTR {
+                AddShare(sums.red + at, red, weight);
+                AddShare(sums.green + at, green, weight);
+                AddShare(sums.blue + at, blue, weight);
+            });
 }
 
-void AddLitRun(const RunColour& run, std::uint32_t value, const RunPlace& place, const SumsAt& light,
-               const SumsAt& sums) {
-    using Vector = hn::Vec<SumU>;
-    ForRun(run, value, place,
-           [&](std::size_t k, Vector red, Vector green, Vector blue, Vector weight) HWY_ATTR {
-               Adder::Lit(sums.red + k, light.red + k, red, weight);
-               Adder::Lit(sums.green + k, light.green + k, green, weight);
-               Adder::Lit(sums.blue + k, light.blue + k, blue, weight);
-           });
+void AddLitRuns(const Runs& runs, const BandSums& light, const BandSums& sums) {
+    ForRuns(runs, sums,
+            [&](std::size_t at, SumVector red, SumVector green, SumVector blue, SumVector weight) HWY_ATTR {
+                AddLit(sums.red + at, light.red + at, red, weight);
+                AddLit(sums.green + at, light.green + at, green, weight);
+                AddLit(sums.blue + at, light.blue + at, blue, weight);
+            });
 }
 
-void AddLightRun(const RunColour& run, std::uint32_t value, const RunPlace& place, const SumsAt& light) {
-    using Vector = hn::Vec<SumU>;
-    ForRun(run, value, place,
-           [&](std::size_t k, Vector red, Vector green, Vector blue, Vector weight) HWY_ATTR {
-               Adder::Light(light.red + k, red, weight);
-               Adder::Light(light.green + k, green, weight);
-               Adder::Light(light.blue + k, blue, weight);
-           });
+void AddLightRuns(const Runs& runs, const BandSums& light) {
+    ForRuns(runs, light,
+            [&](std::size_t at, SumVector red, SumVector green, SumVector blue, SumVector weight) HWY_ATTR {
+                AddLight(light.red + at, red, weight);
+                AddLight(light.green + at, green, weight);
+                AddLight(light.blue + at, blue, weight);
+            });
+}
+
+/// The level of each sum; the sums of the mask become nought.
+HWY_INLINE hn::Vec<SumU> TakeLevels(std::uint32_t* HWY_RESTRICT sums, hn::Mask<SumU> mask) {
+    const SumU d;
+    const auto sum = hn::LoadU(d, sums);
+    hn::StoreU(hn::IfThenZeroElse(mask, sum), d, sums);
+    return hn::ShiftRight<24>(hn::Add(sum, hn::Set(d, whole_pixel << 6U)));
+}
+
+void WriteShares(const BandSums& sums, std::size_t place, std::uint64_t shared,
+                 std::uint32_t* HWY_RESTRICT pixels) {
+    const SumU d;
+    const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
+    for (std::uint32_t k = 0; shared != 0; k += lanes, shared >>= lanes) {
+        const std::uint8_t bits[8] = {static_cast<std::uint8_t>(shared & 0xffU),
+                                      static_cast<std::uint8_t>(shared >> 8U & 0xffU)};
+        const auto mask = hn::LoadMaskBits(d, bits);
+        const auto red = TakeLevels(sums.red + place + k, mask);
+        const auto green = TakeLevels(sums.green + place + k, mask);
+        const auto blue = TakeLevels(sums.blue + place + k, mask);
+        const auto packed = hn::Or(hn::Or(red, hn::ShiftLeft<8>(green)),
+                                   hn::Or(hn::ShiftLeft<16>(blue), hn::Set(d, 0xff000000U)));
+        hn::BlendedStore(packed, mask, d, pixels + k);
+    }
 }
 
 } // namespace HWY_NAMESPACE
@@ -124,71 +172,91 @@ namespace linkdig::ig {
 
 namespace {
 
-HWY_EXPORT(AddShareRun);
-HWY_EXPORT(AddLitRun);
-HWY_EXPORT(AddLightRun);
+HWY_EXPORT(AddShareRuns);
+HWY_EXPORT(AddLitRuns);
+HWY_EXPORT(AddLightRuns);
+HWY_EXPORT(WriteShares);
 
-/// Shorter runs are not worth a vector's setting up.
-constexpr std::uint32_t short_run = 3;
-
-bool by_vectors(const RunPlace& place) { return place.count > short_run && !simd_is_off(); }
-
-std::uint32_t first_value(const IntensityPlane& plane, const RunPlace& place) {
-    return plane.value + static_cast<std::uint32_t>(place.element - plane.reference_element) * plane.along +
-           static_cast<std::uint32_t>(place.line - plane.reference_line) * plane.across;
+/// The runs pixel by pixel: add(place, components, weight).
+template <typename Add>
+void for_runs(const Runs& runs, const BandSums& sums, Add add) {
+    const RunColour& colour = runs.colour;
+    for (const ShareRun* run = runs.first; run != runs.first + runs.count; ++run) {
+        std::uint32_t value = value_at(colour.plane, run->line, run->first);
+        const std::size_t place = sums.at(run->line, run->first);
+        for (std::uint32_t k = 0; k < run->count; ++k, value += colour.plane.along) {
+            const auto intensity =
+                std::clamp(static_cast<std::int32_t>(value), colour.plane.least, colour.plane.greatest);
+            Components seen = lit(colour.colour, intensity);
+            if (colour.transmission >= 0) seen = through_air(seen, colour.transmission, colour.horizon);
+            add(place + k, seen, runs.weights[run->first_weight + k]);
+        }
+    }
 }
 
-/// The run pixel by pixel: add(k, components, weight).
-template <typename Add>
-void for_run(const RunColour& run, std::uint32_t value, const RunPlace& place, Add add) {
-    for (std::uint32_t k = 0; k < place.count; ++k, value += run.plane.along) {
-        const auto intensity =
-            std::clamp(static_cast<std::int32_t>(value), run.plane.least, run.plane.greatest);
-        Components seen = lit(run.colour, intensity);
-        if (run.transmission >= 0) seen = through_air(seen, run.transmission, run.horizon);
-        add(k, seen, place.weights[k]);
+void write_plainly(const BandSums& sums, std::size_t place, std::uint64_t shared, std::uint32_t* pixels) {
+    constexpr std::uint32_t half = whole_pixel << 6U;
+    for (; shared != 0; shared &= shared - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(shared));
+        std::uint32_t &red = sums.red[place + k], &green = sums.green[place + k],
+                      &blue = sums.blue[place + k];
+        pixels[k] = ((red + half) >> 24U) | ((green + half) >> 24U) << 8U | ((blue + half) >> 24U) << 16U |
+                    0xff000000U;
+        red = green = blue = 0;
     }
 }
 
 } // namespace
 
-void add_share_run(const RunColour& run, const RunPlace& place, const SumsAt& sums) {
-    const std::uint32_t value = first_value(run.plane, place);
-    if (by_vectors(place)) {
-        HWY_DYNAMIC_DISPATCH(AddShareRun)(run, value, place, sums);
+void add_share_runs(const RunColour& colour, std::span<const ShareRun> runs, const std::uint32_t* weights,
+                    const BandSums& sums) {
+    const Runs all{colour, runs.data(), runs.size(), weights};
+    if (!simd_is_off()) {
+        HWY_DYNAMIC_DISPATCH(AddShareRuns)(all, sums);
         return;
     }
-    for_run(run, value, place, [&](std::uint32_t k, const Components& seen, std::uint32_t weight) {
-        sums.red[k] += seen.red * weight;
-        sums.green[k] += seen.green * weight;
-        sums.blue[k] += seen.blue * weight;
+    for_runs(all, sums, [&](std::size_t at, const Components& seen, std::uint32_t weight) {
+        sums.red[at] += seen.red * weight;
+        sums.green[at] += seen.green * weight;
+        sums.blue[at] += seen.blue * weight;
     });
 }
 
-void add_lit_run(const RunColour& run, const RunPlace& place, const SumsAt& light, const SumsAt& sums) {
-    const std::uint32_t value = first_value(run.plane, place);
-    if (by_vectors(place)) {
-        HWY_DYNAMIC_DISPATCH(AddLitRun)(run, value, place, light, sums);
+void add_lit_runs(const RunColour& colour, std::span<const ShareRun> runs, const std::uint32_t* weights,
+                  const BandSums& light, const BandSums& sums) {
+    const Runs all{colour, runs.data(), runs.size(), weights};
+    if (!simd_is_off()) {
+        HWY_DYNAMIC_DISPATCH(AddLitRuns)(all, light, sums);
         return;
     }
-    for_run(run, value, place, [&](std::uint32_t k, const Components& seen, std::uint32_t weight) {
-        sums.red[k] += std::min(seen.red + light.red[k], brightest) * weight;
-        sums.green[k] += std::min(seen.green + light.green[k], brightest) * weight;
-        sums.blue[k] += std::min(seen.blue + light.blue[k], brightest) * weight;
+    for_runs(all, sums, [&](std::size_t at, const Components& seen, std::uint32_t weight) {
+        sums.red[at] += std::min(seen.red + light.red[at], brightest) * weight;
+        sums.green[at] += std::min(seen.green + light.green[at], brightest) * weight;
+        sums.blue[at] += std::min(seen.blue + light.blue[at], brightest) * weight;
     });
 }
 
-void add_light_run(const RunColour& run, const RunPlace& place, const SumsAt& light) {
-    const std::uint32_t value = first_value(run.plane, place);
-    if (by_vectors(place)) {
-        HWY_DYNAMIC_DISPATCH(AddLightRun)(run, value, place, light);
+void add_light_runs(const RunColour& colour, std::span<const ShareRun> runs, const std::uint32_t* weights,
+                    const BandSums& light) {
+    const Runs all{colour, runs.data(), runs.size(), weights};
+    if (!simd_is_off()) {
+        HWY_DYNAMIC_DISPATCH(AddLightRuns)(all, light);
         return;
     }
-    for_run(run, value, place, [&](std::uint32_t k, const Components& seen, std::uint32_t weight) {
-        light.red[k] += seen.red * weight >> whole_pixel_bits;
-        light.green[k] += seen.green * weight >> whole_pixel_bits;
-        light.blue[k] += seen.blue * weight >> whole_pixel_bits;
+    for_runs(all, light, [&](std::size_t at, const Components& seen, std::uint32_t weight) {
+        light.red[at] += seen.red * weight >> whole_pixel_bits;
+        light.green[at] += seen.green * weight >> whole_pixel_bits;
+        light.blue[at] += seen.blue * weight >> whole_pixel_bits;
     });
+}
+
+void write_shares(const BandSums& sums, std::uint32_t line, std::uint32_t element, std::uint64_t shared,
+                  std::uint32_t* pixels) {
+    if (simd_is_off()) {
+        write_plainly(sums, sums.at(line, element), shared, pixels);
+    } else {
+        HWY_DYNAMIC_DISPATCH(WriteShares)(sums, sums.at(line, element), shared, pixels);
+    }
 }
 
 } // namespace linkdig::ig

@@ -6,17 +6,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 
 namespace linkdig::ig {
 
 namespace {
-
-SumsAt sums_at(ShareSums& sums, std::size_t at) {
-    return {sums.red.data() + at, sums.green.data() + at, sums.blue.data() + at};
-}
-SumsAt light_at(WaitingLight& light, std::size_t at) {
-    return {light.red.data() + at, light.green.data() + at, light.blue.data() + at};
-}
 
 class ShareSummer {
 public:
@@ -28,13 +22,20 @@ public:
         for (std::vector<std::uint32_t>* sum : {&sums_.red, &sums_.green, &sums_.blue})
             if (sum->size() < size) sum->resize(size);
         if (tells_ && sums_.tales.size() < size) sums_.tales.resize(size);
+        sums_at_ = {sums_.red.data(), sums_.green.data(), sums_.blue.data(), band.first_line, elements_};
         sums_.lists_waiting = 0;
     }
 
     void add_up() {
-        for (const ShareRun& run : band_.shares) {
-            if (!tells_ && add_run(run)) continue;
-            add_one_by_one(run);
+        for (std::span<const ShareRun> left = band_.shares; !left.empty();) {
+            std::size_t count = 1; // runs of a face come one after the other
+            while (count < left.size() && left[count].face == left.front().face)
+                ++count;
+            const std::span<const ShareRun> runs = left.first(count);
+            left = left.subspan(count);
+            if (!tells_ && add_fast(runs)) continue;
+            for (const ShareRun& run : runs)
+                add_one_by_one(run);
         }
     }
 
@@ -43,50 +44,57 @@ public:
             const std::uint64_t* shared =
                 band_.shared.data() + std::size_t{line - band_.first_line} * band_.words;
             for (std::uint32_t word = 0; word < band_.words; ++word) {
-                for (std::uint64_t pixels = shared[word]; pixels != 0;) {
-                    const auto first = static_cast<std::uint32_t>(std::countr_zero(pixels));
-                    const auto count = static_cast<std::uint32_t>(std::countr_one(pixels >> first));
-                    write_run(line, word * word_bits + first, count, beam, frame);
-                    pixels &= first + count < word_bits ? ~std::uint64_t{0} << (first + count) : 0;
-                }
+                if (shared[word] == 0) continue;
+                const std::uint32_t first = word * word_bits;
+                write_shares(sums_at_, line, first, shared[word], beam.pixels().at(line, first));
+                if (tells_) write_tales(line, first, shared[word], frame);
             }
         }
+        for (std::size_t k = 0; k < sums_.lists_waiting; ++k)
+            put_out(sums_.waiting[k]);
     }
 
 private:
-    std::size_t place(std::uint32_t line, std::uint32_t element) const {
-        return std::size_t{line - band_.first_line} * elements_ + element;
-    }
+    std::size_t place(std::uint32_t line, std::uint32_t element) const { return sums_at_.at(line, element); }
 
     // ---- runs whose pixels need nothing but their colour ---------------------------------------------------------
 
-    /// False if the run's pixels must be looked at one by one.
-    bool add_run(const ShareRun& run) {
-        const std::size_t at = place(run.line, run.first);
-        const RunPlace runs{run.line, run.first, run.count, band_.weights.data() + run.first_weight};
+    /// False if the pixels of a face's runs must be looked at one by one.
+    bool add_fast(std::span<const ShareRun> runs) {
+        const std::uint32_t* const weights = band_.weights.data();
         RunColour colour{.colour = input_.background, .plane = {}, .horizon = input_.air->horizon()};
-        if (run.face == background_rank) {
+        const std::uint32_t rank = runs.front().face;
+        if (rank == background_rank) {
             colour.plane.value = intensity_one;
             colour.plane.least = colour.plane.greatest = intensity_one;
-            add_share_run(colour, runs, sums_at(sums_, at));
-            return true;
-        }
-        if (!colour_of(run.face, colour)) return false;
-        const ProjectedFace& face = input_.projected->faces[run.face];
-        if (face.added_to != none) {
+        } else if (!colour_of(rank, colour)) {
+            return false;
+        } else if (const ProjectedFace& face = input_.projected->faces[rank]; face.added_to != none) {
             colour.horizon = {}; // light that is added brings no horizon of its own: the face behind it does
             WaitingLight& light = waiting_for(face.added_to);
-            set_bits(there(light, run.line), run.first, run.first + run.count);
-            add_light_run(colour, runs, light_at(light, at));
-        } else if (WaitingLight* const light = waiting(run, static_cast<std::int32_t>(face.list))) {
-            add_lit_run(colour, runs, light_at(*light, at), sums_at(sums_, at));
-        } else {
-            add_share_run(colour, runs, sums_at(sums_, at));
+            for (const ShareRun& run : runs)
+                set_bits(there(light, run.line), run.first, std::uint32_t{run.first} + run.count);
+            add_light_runs(colour, runs, weights, light_of(light));
+            return true;
+        } else if (sums_.lists_waiting != 0) {
+            for (const ShareRun& run : runs)
+                add_behind_light(face, colour, run);
+            return true;
         }
-        if (face.added_to == none && face.opacity < opaque) end_light(run);
+        add_share_runs(colour, runs, weights, sums_at_);
         return true;
     }
 
+    /// A run of an ordinary face where light may wait for it.
+    void add_behind_light(const ProjectedFace& face, const RunColour& colour, const ShareRun& run) {
+        if (WaitingLight* const light = waiting(run, static_cast<std::int32_t>(face.list)))
+            add_lit_runs(colour, {&run, 1}, band_.weights.data(), light_of(*light), sums_at_);
+        else
+            add_share_runs(colour, {&run, 1}, band_.weights.data(), sums_at_);
+        if (face.opacity < opaque) end_light(run);
+    }
+
+    /// False if the transmission changes along the face, or it has three interpolants.
     bool colour_of(std::uint32_t rank, RunColour& run) const {
         const ProjectedFace& face = input_.projected->faces[rank];
         const EdgeFace& edges = input_.edges->faces[rank];
@@ -121,6 +129,10 @@ private:
         return light;
     }
 
+    BandSums light_of(WaitingLight& light) const {
+        return {light.red.data(), light.green.data(), light.blue.data(), band_.first_line, elements_};
+    }
+
     std::uint64_t* there(WaitingLight& light, std::uint32_t line) const {
         return light.there.data() + std::size_t{line - band_.first_line} * band_.words;
     }
@@ -139,11 +151,23 @@ private:
     void end_light(const ShareRun& run) {
         const std::size_t at = place(run.line, run.first);
         for (std::size_t w = 0; w < sums_.lists_waiting; ++w) {
-            const SumsAt light = light_at(sums_.waiting[w], at);
+            WaitingLight& light = sums_.waiting[w];
             for (std::uint32_t k = 0; k < run.count; ++k)
                 if (band_.weights[run.first_weight + k] != 0)
-                    light.red[k] = light.green[k] = light.blue[k] = 0;
+                    light.red[at + k] = light.green[at + k] = light.blue[at + k] = 0;
         }
+    }
+
+    /// Makes all of the light nought.
+    void put_out(WaitingLight& light) {
+        for (std::uint32_t line = band_.first_line; line < band_.end_line; ++line)
+            for (std::uint32_t word = 0; word < band_.words; ++word)
+                for (std::uint64_t bits = there(light, line)[word]; bits != 0;) {
+                    const BitRun run = take_run(bits);
+                    const std::size_t at = place(line, word * word_bits + run.first);
+                    for (std::vector<std::uint32_t>* sum : {&light.red, &light.green, &light.blue})
+                        std::fill_n(sum->begin() + static_cast<std::ptrdiff_t>(at), run.count(), 0U);
+                }
     }
 
     // ---- pixel by pixel ------------------------------------------------------------------------------------------
@@ -192,29 +216,12 @@ private:
 
     // ---- writing -------------------------------------------------------------------------------------------------
 
-    void write_run(std::uint32_t line, std::uint32_t first, std::uint32_t count, const BeamBuffer& beam,
-                   VideoFrame& frame) {
-        constexpr std::uint32_t half = whole_pixel << 6U;
-        const std::size_t at = place(line, first);
-        std::uint32_t* red = sums_.red.data() + at;
-        std::uint32_t* green = sums_.green.data() + at;
-        std::uint32_t* blue = sums_.blue.data() + at;
-        std::uint32_t* pixels = beam.pixels().at(line, first);
-        for (std::uint32_t k = 0; k < count; ++k)
-            pixels[k] = ((red[k] + half) >> 24U) | ((green[k] + half) >> 24U) << 8U |
-                        ((blue[k] + half) >> 24U) << 16U | 0xff000000U;
-        for (std::uint32_t* sum : {red, green, blue})
-            std::fill_n(sum, count, 0U);
-        for (std::size_t k = 0; k < sums_.lists_waiting; ++k) {
-            const SumsAt light = light_at(sums_.waiting[k], at);
-            for (std::uint32_t* sum : {light.red, light.green, light.blue})
-                std::fill_n(sum, count, 0U);
-        }
-        if (!tells_) return;
-        for (std::uint32_t k = 0; k < count; ++k) {
-            PixelTale& tale = sums_.tales[at + k];
+    void write_tales(std::uint32_t line, std::uint32_t first, std::uint64_t shared, VideoFrame& frame) {
+        for (; shared != 0; shared &= shared - 1) {
+            const std::uint32_t element = first + static_cast<std::uint32_t>(std::countr_zero(shared));
+            PixelTale& tale = sums_.tales[place(line, element)];
             const Segment one{tale.rank, static_cast<std::uint16_t>(line),
-                              static_cast<std::uint16_t>(first + k), 1};
+                              static_cast<std::uint16_t>(element), 1};
             fill_plane(raster_, one, static_cast<std::int32_t>(tale.rank), frame.rank);
             fill_plane(raster_, one, tale.intensity, frame.intensity);
             tale = {};
@@ -227,6 +234,7 @@ private:
     ShareSums& sums_;
     std::uint32_t elements_;
     bool tells_;
+    BandSums sums_at_;
 };
 
 } // namespace
