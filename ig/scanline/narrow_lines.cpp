@@ -10,41 +10,42 @@
 namespace linkdig::ig {
 namespace {
 
-/// Bits of the elements [first, first + narrow_elements) of a line.
-std::uint32_t bits_at(const std::uint64_t* bits, std::uint32_t first) {
+/// A bit per element from the first one on that a face reaches.
+using Window = std::uint64_t;
+
+Window window_at(const std::uint64_t* bits, std::uint32_t first) {
     const std::uint32_t word = first / word_bits, shift = first % word_bits;
-    std::uint64_t found = bits[word] >> shift;
+    Window found = bits[word] >> shift;
     if (shift > word_bits - narrow_elements) found |= bits[word + 1] << (word_bits - shift);
-    return static_cast<std::uint32_t>(found) & 0xffffU;
+    return found;
 }
 
-void flip_bits(std::uint64_t* bits, std::uint32_t first, std::uint32_t flipped) {
+void flip_bits(std::uint64_t* bits, std::uint32_t first, Window flipped) {
     const std::uint32_t word = first / word_bits, shift = first % word_bits;
-    bits[word] ^= std::uint64_t{flipped} << shift;
-    if (shift > word_bits - narrow_elements) bits[word + 1] ^= std::uint64_t{flipped} >> (word_bits - shift);
+    bits[word] ^= flipped << shift;
+    if (shift > word_bits - narrow_elements) bits[word + 1] ^= flipped >> (word_bits - shift);
 }
 
-void or_bits(std::uint64_t* bits, std::uint32_t first, std::uint32_t set) {
+void or_bits(std::uint64_t* bits, std::uint32_t first, Window set) {
     const std::uint32_t word = first / word_bits, shift = first % word_bits;
-    bits[word] |= std::uint64_t{set} << shift;
-    if (shift > word_bits - narrow_elements) bits[word + 1] |= std::uint64_t{set} >> (word_bits - shift);
+    bits[word] |= set << shift;
+    if (shift > word_bits - narrow_elements) bits[word + 1] |= set >> (word_bits - shift);
 }
 
 /// Bits [begin, end) of a window that begins at `first`.
-std::uint32_t window_bits(std::int32_t begin, std::int32_t end, std::int32_t first) {
-    return (1U << static_cast<std::uint32_t>(end - first)) -
-           (1U << static_cast<std::uint32_t>(begin - first));
+Window window_bits(std::int32_t begin, std::int32_t end, std::int32_t first) {
+    return (Window{1} << static_cast<std::uint32_t>(end - first)) -
+           (Window{1} << static_cast<std::uint32_t>(begin - first));
 }
 
 /// Of each run of set bits in `runs` the part between the first and the last that is set in `some`.
-std::uint32_t trimmed(std::uint32_t runs, std::uint32_t some) {
-    std::uint32_t kept = 0;
-    for (std::uint64_t left = runs; left != 0;) {
-        const BitRun run = take_run(left);
-        const auto mine = static_cast<std::uint32_t>(
-            some & ((std::uint64_t{1} << run.end) - (std::uint64_t{1} << run.first)));
+Window trimmed(Window runs, Window some) {
+    Window kept = 0;
+    while (runs != 0) {
+        const BitRun run = take_run(runs);
+        const Window mine = some & ((Window{1} << run.end) - (Window{1} << run.first));
         if (mine != 0)
-            kept |= (2U << (31U - static_cast<std::uint32_t>(std::countl_zero(mine)))) - (mine & -mine);
+            kept |= (Window{2} << static_cast<std::uint32_t>(63 - std::countl_zero(mine))) - (mine & -mine);
     }
     return kept;
 }
@@ -64,7 +65,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using I32 = hn::CappedTag<std::int32_t, narrow_elements>;
+using I32 = hn::CappedTag<std::int32_t, 16>;
 using U32 = hn::Rebind<std::uint32_t, I32>;
 using F32 = hn::Rebind<float, I32>;
 using V = hn::Vec<I32>;
@@ -79,8 +80,8 @@ struct Piece {
           twice_rise(hn::Set(F32(), 2.0F * static_cast<float>(piece.rise))) {}
 
     /// How far across the line it has got at `x`, 1/256: as passed_at(), nought before it and its height behind it. Numerator
-    /// and denominator are whole numbers below 2^23 and 2^14 on a narrow line, and exact; the quotient, below 2^9, is at least
-    /// 2^-14 from whole numbers or one itself, and rounded by less than that.
+    /// and denominator are whole numbers below 2^23 and 2^15 on a narrow line, and exact; the quotient, below 2^9, is whole or
+    /// more than 2^-15 from whole numbers, and rounded by at most 2^-16.
     HWY_INLINE V Passed(V x) const {
         const F32 d;
         const auto run =
@@ -108,48 +109,51 @@ struct Piece {
     hn::Vec<F32> length, twice, twice_rise;
 };
 
-HWY_INLINE std::uint32_t Bits(hn::Mask<I32> mask) {
+HWY_INLINE Window Bits(hn::Mask<I32> mask) {
     std::uint8_t bytes[8] = {};
     const std::size_t count = hn::StoreMaskBits(I32(), mask, bytes);
-    return count > 1 ? bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U : bytes[0];
+    return count > 1 ? bytes[0] | static_cast<Window>(bytes[1]) << 8U : bytes[0];
 }
 
-HWY_INLINE hn::Mask<U32> MaskOf(std::uint32_t bits) {
+HWY_INLINE hn::Mask<U32> MaskOf(Window bits) {
     const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits & 0xffU),
                                    static_cast<std::uint8_t>(bits >> 8U & 0xffU)};
     return hn::LoadMaskBits(U32(), bytes);
 }
 
-/// Areas of the elements from `begin` on, clamped to the pixel, and which of them are some and which whole.
-HWY_INLINE void CoverNarrow(const OutlineLine& traced, std::int32_t begin, std::int32_t* areas,
-                            std::uint32_t& some, std::uint32_t& whole) {
+/// Room for the areas of a narrow line's elements.
+using Areas = std::array<std::int32_t, narrow_elements>;
+
+/// Areas of the elements of a line, clamped to the pixel, and which of them are some and which whole.
+HWY_INLINE void CoverNarrow(const OutlineLine& traced, Areas& areas, Window& some, Window& whole) {
     const I32 d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const auto all = hn::Set(d, static_cast<std::int32_t>(whole_pixel));
     some = whole = 0;
-    for (std::int32_t k = 0; k < narrow_elements; k += lanes) {
-        const auto x = hn::ShiftLeft<8>(hn::Iota(d, begin + k));
+    for (std::int32_t k = 0; k < traced.end - traced.begin; k += lanes) {
+        const auto x = hn::ShiftLeft<8>(hn::Iota(d, traced.begin + k));
         auto area = hn::Zero(d);
         for (const EdgePiece& edge : traced.pieces) {
             const auto more = Piece(edge).Area(x);
             area = edge.sign > 0 ? hn::Add(area, more) : hn::Sub(area, more);
         }
         area = hn::Min(hn::Max(area, hn::Zero(d)), all);
-        hn::Store(area, d, areas + k);
+        hn::Store(area, d, areas.data() + k);
         some |= Bits(hn::Gt(area, hn::Zero(d))) << static_cast<std::uint32_t>(k);
         whole |= Bits(hn::Eq(area, all)) << static_cast<std::uint32_t>(k);
     }
 }
 
-/// Shares of the elements `mine`: the areas, at most what is left of each. Returns which of them are closed now.
-HWY_INLINE std::uint32_t ShareNarrow(const std::int32_t* areas, std::uint32_t mine, std::uint32_t* left,
-                                     std::uint32_t* weights) {
+/// Shares of the elements `mine`, the highest of which is below `count`: the areas, at most what is left of each. Returns which
+/// of them are closed now.
+HWY_INLINE Window ShareNarrow(const Areas& areas, Window mine, std::size_t count, std::uint32_t* left,
+                              std::uint32_t* weights) {
     const U32 d;
-    std::uint32_t closed = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(narrow_elements); k += hn::Lanes(d)) {
+    Window closed = 0;
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
         const auto mask = MaskOf(mine >> k);
         const auto before = hn::LoadU(d, left + k);
-        const auto area = hn::BitCast(d, hn::Load(I32(), areas + k));
+        const auto area = hn::BitCast(d, hn::Load(I32(), areas.data() + k));
         const auto weight = hn::IfThenElseZero(mask, hn::Min(area, before));
         const auto rest = hn::Sub(before, weight);
         hn::StoreU(rest, d, left + k);
@@ -161,47 +165,45 @@ HWY_INLINE std::uint32_t ShareNarrow(const std::int32_t* areas, std::uint32_t mi
 
 /// Elements of the window that the face takes alone, and those of which it has a share.
 struct Taken {
-    std::uint32_t alone = 0;
-    std::uint32_t newly_shared = 0;
-    std::uint32_t rests = 0; ///< what others have left of shared ones that it covers wholly
+    Window alone = 0;
+    Window newly_shared = 0;
+    Window rests = 0; ///< what others have left of shared ones that it covers wholly
 };
 
-HWY_INLINE Taken Divide(const OutlineLine& traced, const BandLine& line, std::uint32_t some,
-                        std::uint32_t full) {
+HWY_INLINE Taken Divide(const OutlineLine& traced, const BandLine& line, Window some, Window full) {
     const EdgeSide &leading = traced.leading, &trailing = traced.trailing;
     const auto first = static_cast<std::uint32_t>(traced.begin);
-    const std::uint32_t open =
-        bits_at(line.open, first) & window_bits(traced.begin, traced.end, traced.begin);
+    const Window open = window_at(line.open, first) & window_bits(traced.begin, traced.end, traced.begin);
     const bool apart =
         leading.end <= trailing.begin && 512 * leading.height == static_cast<std::int32_t>(whole_pixel);
     if (!apart) return {.newly_shared = trimmed(open, some)};
-    const std::uint32_t partly = open & ~full, wholly = open & full;
-    const std::uint32_t begins = window_bits(leading.begin, leading.end, traced.begin);
-    const std::uint32_t ends = window_bits(trailing.begin, trailing.end, traced.begin);
-    const std::uint32_t rests = wholly == 0 ? 0 : wholly & bits_at(line.shared, first);
+    const Window partly = open & ~full, wholly = open & full;
+    const Window begins = window_bits(leading.begin, leading.end, traced.begin);
+    const Window ends = window_bits(trailing.begin, trailing.end, traced.begin);
+    const Window rests = wholly == 0 ? 0 : wholly & window_at(line.shared, first);
     return {wholly ^ rests, trimmed(partly & begins, some) | trimmed(partly & ends, some), rests};
 }
 
-void PutAlone(std::uint32_t alone, std::uint32_t first, std::uint32_t rank, const BandLine& line,
+void PutAlone(Window alone, std::uint32_t first, std::uint32_t rank, const BandLine& line,
               BandSegments& band) {
-    for (std::uint64_t mine = alone; mine != 0;) {
-        const BitRun run = take_run(mine);
+    while (alone != 0) {
+        const BitRun run = take_run(alone);
         band.segments.push_back({rank, line.number, static_cast<std::uint16_t>(first + run.first),
                                  static_cast<std::uint16_t>(run.count())});
     }
 }
 
 /// One run for all shares; returns the elements that are closed by them.
-HWY_INLINE std::uint32_t PutShares(const std::int32_t* areas, std::uint32_t mine, std::uint32_t first,
-                                   std::uint32_t rank, const BandLine& line, BandSegments& band) {
+HWY_INLINE Window PutShares(const Areas& areas, Window mine, std::uint32_t first, std::uint32_t rank,
+                            const BandLine& line, BandSegments& band) {
     const auto from = static_cast<std::uint32_t>(std::countr_zero(mine));
-    const auto count = 32U - static_cast<std::uint32_t>(std::countl_zero(mine)) - from;
+    const auto end = word_bits - static_cast<std::uint32_t>(std::countl_zero(mine));
     const std::size_t weights = band.weights.size();
-    band.weights.resize(weights + static_cast<std::size_t>(narrow_elements));
-    const std::uint32_t closed = ShareNarrow(areas, mine, line.left + first, band.weights.data() + weights);
-    band.weights.resize(weights + from + count);
+    band.weights.resize(weights + end + weights_padding);
+    const Window closed = ShareNarrow(areas, mine, end, line.left + first, band.weights.data() + weights);
+    band.weights.resize(weights + end);
     band.shares.push_back({rank, static_cast<std::uint32_t>(weights) + from, line.number,
-                           static_cast<std::uint16_t>(first + from), static_cast<std::uint16_t>(count)});
+                           static_cast<std::uint16_t>(first + from), static_cast<std::uint16_t>(end - from)});
     return closed;
 }
 
@@ -209,14 +211,14 @@ std::uint32_t PutNarrowLine(const OutlineLine& traced, std::uint32_t rank, const
                             BandSegments& band) {
     if (traced.leading.height == 0) return 0;
     const auto first = static_cast<std::uint32_t>(traced.begin);
-    alignas(64) std::array<std::int32_t, narrow_elements> areas;
-    std::uint32_t some = 0, full = 0;
-    CoverNarrow(traced, traced.begin, areas.data(), some, full);
+    alignas(64) Areas areas;
+    Window some = 0, full = 0;
+    CoverNarrow(traced, areas, some, full);
     const Taken taken = Divide(traced, line, some, full);
-    std::uint32_t closed = taken.alone;
-    if (const std::uint32_t shared = taken.newly_shared | taken.rests; shared != 0) {
+    Window closed = taken.alone;
+    if (const Window shared = taken.newly_shared | taken.rests; shared != 0) {
         or_bits(line.shared, first, taken.newly_shared);
-        closed |= PutShares(areas.data(), shared, first, rank, line, band);
+        closed |= PutShares(areas, shared, first, rank, line, band);
     }
     PutAlone(taken.alone, first, rank, line, band);
     flip_bits(line.open, first, closed);

@@ -11,8 +11,10 @@
 
 namespace linkdig::ig {
 
-/// Elements that a face reaches on a line where it is narrow.
-inline constexpr std::int32_t narrow_elements = 16;
+/// Elements that a face reaches at most on a line where it is narrow.
+inline constexpr std::int32_t narrow_elements = 48;
+/// And that it covers wholly between its sides, if it is wider than this: they are cheaper without areas.
+inline constexpr std::int32_t few_elements = 16;
 
 /// One line of a band, as its faces change it.
 struct BandLine {
@@ -26,7 +28,8 @@ struct BandLine {
 inline bool is_narrow(const OutlineLine& traced, std::int32_t elements) {
     const std::int32_t begin = std::min(traced.leading.begin, traced.trailing.begin);
     const std::int32_t end = std::max(traced.leading.end, traced.trailing.end);
-    return begin >= 0 && end <= elements && end - begin <= narrow_elements;
+    if (begin < 0 || end > elements || end - begin > narrow_elements) return false;
+    return end - begin <= few_elements || traced.trailing.begin - traced.leading.end <= few_elements;
 }
 
 /// Puts what the face takes of the line; returns how many elements are closed by it. Not where SIMD is switched off.

@@ -9,6 +9,7 @@
 #include "ig/scanline/bands.h"
 #include "ig/scanline/open_mask.h"
 #include "ig/scanline/scanline.h"
+#include "ig/simd/simd_level.h"
 #include "ig/video/video.h"
 
 #include <gtest/gtest.h>
@@ -138,6 +139,32 @@ TEST(Smoothing, CoverageIsTheAreaOfTheOutline) {
     }
     EXPECT_GT(edge_pixels, 10000);
     EXPECT_LT(sum / edge_pixels, 0.5 / 256.0);
+}
+
+TEST(Smoothing, EveryLevelGivesTheSameBytes) {
+    // Slivers, small and large faces over each other, flush with pixels and lines now and then.
+    const std::vector<Colour> colours{{250, 3, 70, 0}, {9, 200, 120, 0}, {90, 91, 240, 0}};
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        ProjectedFaces projected;
+        for (std::uint64_t k = 0; k < 50; ++k) {
+            const double size = k % 3 == 0 ? 40.0 : k % 3 == 1 ? 7.0 : 1.5;
+            ProjectedFace face = add_polygon(1000 * seed + k, size, projected);
+            face.colour = static_cast<std::uint16_t>(k % colours.size());
+            projected.faces.push_back(face);
+            if (k % 4 != 0) continue;
+            for (std::size_t p = face.first_point; p < projected.points.size(); ++p)
+                projected.points[p] = {projected.points[p].line & ~127, projected.points[p].element & ~255};
+        }
+        std::vector<std::uint32_t> expected;
+        std::vector<BandSegments> bands;
+        for (const std::string& level : simd_levels()) {
+            ASSERT_TRUE(use_simd_level(level));
+            const VideoFrame picture = draw(projected, colours, bands);
+            if (expected.empty()) expected = picture.pixels;
+            EXPECT_TRUE(picture.pixels == expected) << level << ", seed " << seed;
+        }
+        ASSERT_TRUE(use_simd_level("best"));
+    }
 }
 
 TEST(Smoothing, NeighboursOfAMeshFillEveryPixelExactly) {
