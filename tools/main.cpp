@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -69,11 +71,20 @@ int run(int argc, char** argv) {
     return exit_code;
 }
 
+/// What stands in the buffer may meet a full disk only now; the C++ run-time would not tell. Who closed a pipe early, as head
+/// does, has what he wanted.
+void require_output_written() {
+    if (std::fflush(stdout) != 0 && errno != EPIPE)
+        throw std::system_error(errno, std::generic_category(), "the output cannot be written");
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        const int exit_code = run(argc, argv);
+        require_output_written();
+        return exit_code;
     } catch (const linkdig::tools::BadInput& mistakes) {
         const std::string text = mistakes.what();
         fmt::print(stderr, "{}{}", text, text.ends_with('\n') ? "" : "\n");

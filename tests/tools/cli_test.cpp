@@ -69,6 +69,18 @@ TEST(CommandLine, MistakesAreToldOnStderrWithCode2) {
     }
 }
 
+TEST(CommandLine, OutputThatIsLostIsTheEnvironments) {
+    for (const std::string arguments : {"--help", "compile --schema", "compile --schema --json"}) {
+        const Outcome full = run(arguments + " >/dev/full");
+        EXPECT_EQ(full.exit_code, 3) << arguments;
+        EXPECT_THAT(full.errors, HasSubstr("No space left on device")) << arguments;
+        const Outcome closed = run(arguments + " >&-");
+        EXPECT_EQ(closed.exit_code, 3) << arguments;
+        EXPECT_THAT(closed.errors, HasSubstr("Bad file descriptor")) << arguments;
+    }
+    EXPECT_EQ(run("--help | true").errors, "");
+}
+
 TEST(CommandLine, ValuesOfRenderAreChecked) {
     EXPECT_THAT(run("render " + scenario + " --planes depth").errors, HasSubstr("no plane named 'depth'"));
     EXPECT_THAT(run("render " + scenario + " --frames 3:2").errors, HasSubstr("'3:2' is no range of frames"));
