@@ -4,6 +4,7 @@
 #include "tools/bench/measure.h"
 #include "tools/bench/sea_methods.h"
 #include "tools/bench/wake_costs.h"
+#include "tools/flight/number_options.h"
 #include "tools/subcommands.h"
 
 #include <fmt/format.h>
@@ -220,14 +221,14 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     command->add_flag("--smoothing", arguments->measure.smoothing, "Smooth the edges");
     command->add_option("--visibility", arguments->measure.visibility_m, "Visibility, metres; 0: unlimited")
-        ->check(CLI::Range(0.0, 1e6))
+        ->check(finite_number(0.0, 1e6))
         ->capture_default_str();
     CLI::Option* const live =
         command
             ->add_option(
                 "--live", arguments->live_hz,
                 "Frames at this rate, Hz, as a host sends them: quantiles of their times, and overruns")
-            ->check(CLI::Range(1.0, 1000.0));
+            ->check(finite_number(1.0, 1000.0));
     CLI::Option* const sea_methods =
         command
             ->add_flag("--sea-methods", arguments->sea_methods,

@@ -4,6 +4,7 @@
 #include "ig/sink/image_file.h"
 #include "tools/check/cast_scene.h"
 #include "tools/flight/arguments.h"
+#include "tools/flight/number_options.h"
 #include "tools/flight/open_database.h"
 #include "tools/flight/output_name.h"
 #include "tools/flight/progress.h"
@@ -22,6 +23,8 @@ namespace linkdig::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t most_views = 1000000; ///< numbered from 0
 
 struct CheckOptions {
     std::string database;
@@ -157,10 +160,13 @@ void add_check(CLI::App& app, int& exit_code) {
         app.add_subcommand("check", "Hold a database's priorities against an independent ray caster");
     command->add_option("database", options->database, "Visual database (.toml or .igdb)")->required();
     command->add_option("--views", options->views, "Seeded views")
-        ->check(CLI::Range(1, 1000000))
+        ->transform(whole_number(1, most_views))
         ->capture_default_str();
-    command->add_option("--seed", options->seed, "Of the views")->capture_default_str();
-    command->add_option("--view", options->view, "This view alone");
+    command->add_option("--seed", options->seed, "Of the views")
+        ->transform(whole_number())
+        ->capture_default_str();
+    command->add_option("--view", options->view, "This view alone")
+        ->transform(whole_number(0, most_views - 1));
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels")->capture_default_str();
     command->add_option("--exceptions", options->manifest,
                         "What differs by design; default: check.toml beside the database");
@@ -169,7 +175,7 @@ void add_check(CLI::App& app, int& exit_code) {
                      "With --view: write the picture as PNG, its wrong pixels red")
         ->needs("--view");
     command->add_option("--allow", options->allow_percent, "Percent of interior pixels that may be wrong")
-        ->check(CLI::Range(0.0, 100.0))
+        ->check(finite_number(0.0, 100.0))
         ->capture_default_str();
     command->add_flag("--json", options->json, "As JSON");
     command->footer(

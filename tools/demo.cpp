@@ -4,6 +4,7 @@
 #include "tools/flight/capacity_options.h"
 #include "tools/flight/flight.h"
 #include "tools/flight/fly_files.h"
+#include "tools/flight/number_options.h"
 #include "tools/flight/shipped_scenes.h"
 #include "tools/fly/fly.h"
 #include "tools/fly/window.h"
@@ -98,7 +99,7 @@ void add_demo(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<DemoOptions>();
     CLI::App* demo = app.add_subcommand("demo", "Fly the shipped approach to LPH-2 over a moving sea");
     demo->add_option("--seconds", options->seconds, "Length of the flight; 60: from half a mile")
-        ->check(CLI::Range(0.1, 86400.0))
+        ->check(finite_number(0.1, 86400.0))
         ->capture_default_str();
     demo->add_option("--frames", options->frames, "Draw this many frames, whatever the length of the flight")
         ->check(CLI::Range(1, 1000000));
@@ -121,7 +122,8 @@ void add_demo(CLI::App& app, int& exit_code) {
                      "Threads of the image generator; 0: as many as the machine has")
         ->check(CLI::Range(0, 256));
     add_capacity_options(*demo, options->capacity);
-    demo->add_option("--seed", options->seed, "Seed of the flight; default: the scenario's");
+    demo->add_option("--seed", options->seed, "Seed of the flight; default: the scenario's")
+        ->transform(whole_number());
     demo->footer(
         "In a window the keys are shown on the screen. Without a display, or with --headless, the flight is\n"
         "written as PNG frames, approach.mp4 and contact.png.\n"

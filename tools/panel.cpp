@@ -2,6 +2,7 @@
 
 #include "host/panel/panel_link.h"
 #include "tools/flight/bad_input.h"
+#include "tools/flight/number_options.h"
 #include "tools/panel/lamp_test.h"
 #include "tools/panel/monitor.h"
 #include "tools/panel/shipped_mappings.h"
@@ -159,7 +160,7 @@ void add_panel(CLI::App& app, int& exit_code) {
     CLI::App* watching = command->add_subcommand("monitor", "Print what is done at the panels, until Ctrl-C");
     watching->add_flag("--json", options->json, "A JSON object a line");
     watching->add_option("--seconds", options->seconds, "Stop after so long")
-        ->check(CLI::Range(0.1, 86400.0));
+        ->check(finite_number(0.1, 86400.0));
     watching->add_option("--events", options->events, "Stop after so many lines")
         ->check(CLI::Range(1, 1000000));
     watching->footer("Example:\n  linkdig panel monitor --seconds 30");
@@ -168,7 +169,7 @@ void add_panel(CLI::App& app, int& exit_code) {
     CLI::App* lamps =
         command->add_subcommand("test", "Light every lamp and every digit, one after the other");
     lamps->add_option("--step", options->step_s, "Seconds for each")
-        ->check(CLI::Range(0.05, 60.0))
+        ->check(finite_number(0.05, 60.0))
         ->capture_default_str();
     lamps->footer("Example:\n  linkdig panel test --step 0.2");
     lamps->callback([options, &exit_code] { exit_code = test(*options); });

@@ -6,6 +6,7 @@
 #include "tools/flight/bad_input.h"
 #include "tools/flight/capacity_options.h"
 #include "tools/flight/flight.h"
+#include "tools/flight/number_options.h"
 #include "tools/flight/planes.h"
 #include "tools/flight/progress.h"
 #include "tools/subcommands.h"
@@ -123,6 +124,7 @@ void add_render(CLI::App& app, int& exit_code) {
         ->check(CLI::IsMember({"plain", "retro"}))
         ->capture_default_str();
     render->add_option("--profile", options->profile, "Machine profile")
+        ->transform(whole_number())
         ->check(CLI::IsMember({"ames", "modern"}))
         ->capture_default_str();
     render->add_option("--fps", options->frames_per_second, "Frames a second of simulated time")

@@ -8,6 +8,7 @@
 #include "tools/flight/arguments.h"
 #include "tools/flight/bad_input.h"
 #include "tools/flight/fly_files.h"
+#include "tools/flight/number_options.h"
 #include "tools/flight/open_database.h"
 #include "tools/flight/output_name.h"
 #include "tools/flight/progress.h"
@@ -81,7 +82,9 @@ void add_replay(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<ReplayOptions>();
     CLI::App* command = app.add_subcommand("replay", "Draw the pictures of a recording");
     command->add_option("recording", options->recording, "Recording, or saved state")->required();
-    command->add_option("--from", options->from, "Begin with this packet, from 0")->capture_default_str();
+    command->add_option("--from", options->from, "Begin with this packet, from 0")
+        ->transform(whole_number())
+        ->capture_default_str();
     command->add_option("--frames", options->frames, "So many pictures; default: all that follow")
         ->check(CLI::Range(1, 10000000));
     command->add_option("--database", options->database,

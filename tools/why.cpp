@@ -3,6 +3,7 @@
 #include "tools/flight/arguments.h"
 #include "tools/flight/bad_input.h"
 #include "tools/flight/flight.h"
+#include "tools/flight/number_options.h"
 #include "tools/reasons/reasons.h"
 #include "tools/subcommands.h"
 
@@ -78,9 +79,13 @@ void add_why(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<WhyOptions>();
     CLI::App* why = app.add_subcommand("why", "Tell why a pixel looks as it does");
     why->add_option("scenario", options->scenario, "Scenario file (.toml)")->required();
-    why->add_option("--frame", options->frame, "Frame of the scenario")->capture_default_str();
+    why->add_option("--frame", options->frame, "Frame of the scenario")
+        ->transform(whole_number())
+        ->capture_default_str();
     why->add_option("--at", options->at, "COLUMN,ROW of the pixel, from the upper left corner")->required();
-    why->add_option("--channel", options->channel, "Channel of the scenario, from 0")->capture_default_str();
+    why->add_option("--channel", options->channel, "Channel of the scenario, from 0")
+        ->transform(whole_number())
+        ->capture_default_str();
     why->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
     why->add_flag("--no-smoothing", options->no_smoothing,
                   "Show faces by pixel centres, without smoothed edges");

@@ -1,4 +1,5 @@
 #include "tools/flight/arguments.h"
+#include "tools/flight/number_options.h"
 #include "tools/flight/planes.h"
 
 #include <gmock/gmock.h>
@@ -39,6 +40,34 @@ TEST(Arguments, Frames) {
         EXPECT_THAT(complaint([&] { parse_frames(wrong); }),
                     testing::HasSubstr("is no range of frames; expected"))
             << wrong;
+}
+
+/// The value that an option would take, or what is wrong with it.
+std::string taken(const CLI::Validator& validator, std::string text) {
+    const std::string wrong = validator(text);
+    return wrong.empty() ? text : wrong;
+}
+
+TEST(Arguments, WholeNumbersAreDecimalAndWithoutASign) {
+    EXPECT_EQ(taken(whole_number(), "0"), "0");
+    EXPECT_EQ(taken(whole_number(), "18446744073709551615"), "18446744073709551615");
+    EXPECT_EQ(taken(whole_number(), "000560"), "560"); // as in frame_000560.png, and not octal
+    EXPECT_EQ(taken(whole_number(1, 8), "8"), "8");
+    for (const char* wrong : {"", "-1", "+1", "18446744073709551616", "1.5", "1e3", "0x10", "1 ", "nan"})
+        EXPECT_EQ(taken(whole_number(), wrong),
+                  std::string("'") + wrong +
+                      "' cannot be taken; expected a whole number, 0 to 18446744073709551615");
+    for (const char* wrong : {"0", "9"})
+        EXPECT_EQ(taken(whole_number(1, 8), wrong),
+                  std::string("'") + wrong + "' cannot be taken; expected a whole number, 1 to 8");
+}
+
+TEST(Arguments, NumbersAreFinite) {
+    for (const char* right : {"0.5", "1e1", "60", "0"})
+        EXPECT_EQ(taken(finite_number(0.0, 60.0), right), right);
+    for (const char* wrong : {"", "nan", "-nan", "inf", "-inf", "-0.1", "60.1", "1,5", "a"})
+        EXPECT_EQ(taken(finite_number(0.0, 60.0), wrong),
+                  std::string("'") + wrong + "' cannot be taken; expected a number, 0 to 60");
 }
 
 TEST(Arguments, Planes) {

@@ -106,6 +106,12 @@ TEST(Check, AViewCanBeSeenAgain) {
     EXPECT_TRUE(same);
 }
 
+TEST(Check, NothingIsNoProof) {
+    EXPECT_THAT(
+        [] { check_database(compiled(yard("1", "2", "")), small_request(0)); },
+        testing::ThrowsMessage<BadInput>(HasSubstr("nothing was checked: no pixel of 0 views of 128 x 128")));
+}
+
 TEST(Check, WhatDiffersByDesignIsCountedAndNotWrong) {
     const VisualDatabase database = compiled(yard("1", "2", ""));
     const database::ScratchFolder folder;

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <string>
+#include <tuple>
 
 namespace linkdig::tools {
 namespace {
@@ -66,6 +67,47 @@ TEST(CommandLine, MistakesAreToldOnStderrWithCode2) {
         EXPECT_EQ(outcome.exit_code, 2) << each.arguments;
         EXPECT_EQ(outcome.output, "") << each.arguments;
         EXPECT_THAT(outcome.errors, HasSubstr(each.told)) << each.arguments;
+    }
+}
+
+/// Each would otherwise be another number than the one that stands there, or none at all.
+TEST(CommandLine, NumbersThatAnOptionCannotTakeAreToldWithIt) {
+    const std::string whole = "' cannot be taken; expected a whole number, 0 to 18446744073709551615";
+    for (const auto& [arguments, option, value, expected] : {
+             std::tuple{"render " + scenario, "--edges", "-5", whole},
+             std::tuple{"render " + scenario, "--edges", "18446744073709551616", whole},
+             std::tuple{"render " + scenario, "--crossings", "-1", whole},
+             std::tuple{std::string("demo"), "--lights", "1e3", whole},
+             std::tuple{"render " + scenario, "--channel", "-1", whole},
+             std::tuple{std::string("demo"), "--seed", "-1", whole},
+             std::tuple{"why " + scenario + " --at 1,1", "--frame", "-1", whole},
+             std::tuple{"why " + scenario + " --at 1,1", "--channel", "-1", whole},
+             std::tuple{std::string("replay x"), "--from", "-3", whole},
+             std::tuple{std::string("check x"), "--seed", "-4", whole},
+             std::tuple{std::string("check x"), "--view", "-1",
+                        std::string("' cannot be taken; expected a whole number, 0 to 999999")},
+             std::tuple{std::string("check x"), "--views", "0",
+                        std::string("' cannot be taken; expected a whole number, 1 to 1000000")},
+             std::tuple{std::string("check x"), "--allow", "nan",
+                        std::string("' cannot be taken; expected a number, 0 to 100")},
+             std::tuple{std::string("bench"), "--visibility", "nan",
+                        std::string("' cannot be taken; expected a number, 0 to 1000000")},
+             std::tuple{std::string("bench"), "--live", "inf",
+                        std::string("' cannot be taken; expected a number, 1 to 1000")},
+             std::tuple{std::string("demo --headless"), "--seconds", "nan",
+                        std::string("' cannot be taken; expected a number, 0.1 to 86400")},
+             std::tuple{std::string("demo --headless"), "--fps", "nan", std::string()},
+             std::tuple{std::string("panel monitor"), "--seconds", "nan",
+                        std::string("' cannot be taken; expected a number, 0.1 to 86400")},
+             std::tuple{std::string("panel test"), "--step", "nan",
+                        std::string("' cannot be taken; expected a number, 0.05 to 60")},
+         }) {
+        const Outcome outcome = run(arguments + " " + option + " " + value);
+        EXPECT_EQ(outcome.exit_code, 2) << arguments << option;
+        EXPECT_EQ(outcome.output, "") << arguments << option;
+        const std::string told = expected.empty() ? "" : std::string("'") + value + expected;
+        EXPECT_THAT(outcome.errors, HasSubstr(std::string("linkdig: error: ") + option + ": " + told))
+            << arguments;
     }
 }
 

@@ -1,7 +1,5 @@
 #include "tools/bench/live.h"
 
-#include "ig/machine/machine.h"
-
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -29,7 +27,7 @@ LiveTimes measure_live(const Scene& scene, const MeasureOptions& options, double
         std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(period * frame));
         const FramePacket packet = packet_of(scene, options, frame);
         const Clock::time_point begin = Clock::now();
-        machine.frame(packet);
+        drawn(machine, packet);
         times_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
     }
     std::ranges::sort(times_ms);

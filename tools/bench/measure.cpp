@@ -1,11 +1,14 @@
 #include "tools/bench/measure.h"
 
 #include "database/model/mathematics.h"
-#include "ig/machine/machine.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <stdexcept>
 
 namespace linkdig::bench {
 
@@ -58,6 +61,14 @@ FramePacket packet_of(const Scene& scene, const MeasureOptions& options, std::ui
     return packet;
 }
 
+const FrameReport& drawn(ig::Machine& machine, const FramePacket& packet) {
+    const FrameReport& report = machine.frame(packet);
+    if (!report.errors.empty())
+        throw std::runtime_error(
+            fmt::format("bench: frame {} was refused: {}", packet.frame, fmt::join(report.errors, "; ")));
+    return report;
+}
+
 Measurement measure(const Scene& scene, const MeasureOptions& options) {
     ig::Machine machine(scene.database, configuration_of(scene, options));
     machine.measure_stages(true);
@@ -66,7 +77,7 @@ Measurement measure(const Scene& scene, const MeasureOptions& options) {
     for (std::uint32_t frame = 0; frame < warm_up_frames + options.frames; ++frame) {
         const FramePacket packet = packet_of(scene, options, frame);
         const Clock::time_point begin = Clock::now();
-        const FrameReport& report = machine.frame(packet);
+        const FrameReport& report = drawn(machine, packet);
         const double taken_ms = ms_since(begin);
         if (frame < warm_up_frames) continue;
         times_ms.push_back(taken_ms);

@@ -2,6 +2,7 @@
 /// What a frame of a scene costs on this machine.
 
 #include "ig/configuration.h"
+#include "ig/machine/machine.h"
 #include "ig/machine/stage_times.h"
 #include "tools/bench/scene.h"
 
@@ -34,6 +35,9 @@ ig::Configuration configuration_of(const Scene& scene, const MeasureOptions& opt
 
 /// The packet of a frame with the options' visibility and channels.
 FramePacket packet_of(const Scene& scene, const MeasureOptions& options, std::uint64_t frame);
+
+/// Draws a frame; throws std::runtime_error, naming it, if the machine refuses its packet: nothing would be measured.
+const FrameReport& drawn(ig::Machine& machine, const FramePacket& packet);
 
 /// Flies `frames` frames after a few to warm up.
 Measurement measure(const Scene& scene, const MeasureOptions& options);

@@ -1,6 +1,9 @@
 #include "tools/check/check.h"
 
 #include "tools/check/comparison.h"
+#include "tools/flight/bad_input.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -108,6 +111,11 @@ CheckResult check_database(const VisualDatabase& database, const CheckRequest& r
     const double aspect = static_cast<double>(request.raster.width) / request.raster.height;
     for (std::uint64_t number = request.first_view; number < request.first_view + request.views; ++number)
         checker.check(check_view(checker.database(), request.seed, number, aspect), result, each);
+    if (result.interior == 0) // a share of nothing would pass every bound
+        throw BadInput(fmt::format(
+            "linkdig: error: nothing was checked: no pixel of {} views of {} x {} is more than one "
+            "from every edge; expected more views, or larger ones",
+            result.views, request.raster.width, request.raster.height));
     sort_findings(result);
     return result;
 }

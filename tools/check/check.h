@@ -63,7 +63,7 @@ struct CheckedView {
 };
 
 /// Checks the views; calls `each`, if given, after every one. Deterministic in database and request. Throws
-/// std::logic_error if the machine refuses a packet.
+/// std::logic_error if the machine refuses a packet, and BadInput if there was no pixel to check in any view.
 CheckResult check_database(const VisualDatabase& database, const CheckRequest& request,
                            const std::function<void(const CheckedView&)>& each = {});
 

@@ -1,4 +1,5 @@
 #include "tools/flight/capacity_options.h"
+#include "tools/flight/number_options.h"
 
 #include <fmt/format.h>
 
@@ -11,11 +12,14 @@ void add_capacity_options(CLI::App& app, ig::Capacity& capacity) {
     app.add_option(
            "--edges", capacity.edges,
            "Edges that the machine takes of one frame, all channels; beyond it detail is shed. 0: no limit")
+        ->transform(whole_number())
         ->capture_default_str();
     app.add_option("--crossings", capacity.crossings_on_a_line, "Edges that it takes on one line; likewise")
+        ->transform(whole_number())
         ->capture_default_str();
     app.add_option("--lights", capacity.light_points,
                    "Light points that it takes of one frame, all channels; beyond it strings grow thin")
+        ->transform(whole_number())
         ->capture_default_str();
 }
 
