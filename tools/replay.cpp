@@ -51,9 +51,11 @@ void write_pictures(Replay& replay, std::uint64_t frames, const ReplayOptions& o
         replay.draw();
         return replay.machine().picture(0);
     };
+    const std::uint64_t first = replay.frame_number(options.from);
     write_files({.folder = options.out,
                  .name = std::filesystem::path(options.recording).stem().string(),
                  .heading = "linkdig replay: " + std::filesystem::path(options.recording).filename().string(),
+                 .first = first,
                  .frames = frames},
                 replay.configuration(), replay.header().update_rate_hz, draw);
 }

@@ -62,6 +62,24 @@ TEST_F(RecordReplay, GivesTheSamePicturesFromAnyPacketOn) {
     }
 }
 
+/// Frame N of a dump is the picture of packet N, wherever the dump begins: so it can be compared with another.
+TEST_F(RecordReplay, FilesHaveTheNumbersOfTheirPackets) {
+    const std::string replay = "replay " + folder_.file("flight.rec") + " --size 160x120 --threads 1 --out ";
+    ASSERT_EQ(run(replay + folder_.file("all")).exit_code, 0);
+    const Outcome part = run(replay + folder_.file("part") + " --from 5 --frames 3");
+    ASSERT_EQ(part.exit_code, 0) << part.errors;
+    EXPECT_THAT(part.output, HasSubstr("frame_000005.png to frame_000007.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("part/frame_000000.png")));
+    for (const char* name : {"/frame_000005.png", "/frame_000006.png", "/frame_000007.png"})
+        EXPECT_EQ(bytes_of(folder_.file("part") + name), bytes_of(folder_.file("all") + name)) << name;
+    // A state that was saved in mid-flight is a recording, too, whose first packet is not that of frame 0.
+    const Outcome state =
+        run("replay " + folder_.file("left.state") + " --size 160x120 --out " + folder_.file("left"));
+    ASSERT_EQ(state.exit_code, 0) << state.errors;
+    EXPECT_EQ(bytes_of(folder_.file("left/frame_000007.png")),
+              bytes_of(folder_.file("all/frame_000007.png")));
+}
+
 /// A flight with wakes that the machine makes of what it remembers, from its middle on.
 class WakeReplay : public testing::Test {
 protected:

@@ -52,8 +52,9 @@ public:
     void take(const Dumped& dumped) {
         if (film_) film_->add(dumped.picture);
         for (std::uint32_t place = 0; place < sheet_pictures; ++place)
-            if (chosen_[place] == dumped.frame) sheet_.place(place, dumped.picture, title(dumped.frame));
-        progress_.at(dumped.frame + 1);
+            if (request_.first + chosen_[place] == dumped.frame)
+                sheet_.place(place, dumped.picture, title(dumped.frame));
+        progress_.at(dumped.frame - request_.first + 1);
     }
 
     void finish() {
@@ -81,9 +82,9 @@ void dump_flight(const DumpRequest& request, const DrawFrame& draw) {
     make_folder(request.folder);
     ig::PngSink files(request.folder);
     Ordered ordered(request);
-    std::uint64_t next = 0;
+    std::uint64_t next = request.first;
     const auto drawn = [&](tbb::flow_control& control) -> DumpedPointer {
-        if (next == request.frames) {
+        if (next == request.first + request.frames) {
             control.stop();
             return nullptr;
         }

@@ -14,6 +14,7 @@ struct DumpRequest {
     std::string folder;       ///< made if it is missing
     std::string film_name;    ///< of the .mp4 file in the folder, without its ending; empty: no film
     std::string heading;      ///< over the contact sheet
+    std::uint64_t first = 0;  ///< number of the first frame
     std::uint64_t frames = 0; ///< at least 1
     std::uint32_t frames_per_second = 30;
     std::uint32_t width = 0;
@@ -25,7 +26,7 @@ struct DumpRequest {
 /// only be valid until the next call.
 using DrawFrame = std::function<const ig::VideoFrame&(std::uint64_t frame)>;
 
-/// Writes FOLDER/frame_000000.png ..., FOLDER/FILM.mp4 and FOLDER/contact.png. Pictures are written by other
+/// Draws frames `first` to `first` + `frames` - 1. Writes FOLDER/frame_000000.png ..., by their numbers, FOLDER/FILM.mp4 and FOLDER/contact.png. Pictures are written by other
 /// threads while the next ones are drawn; what is written does not depend on how many there are. Throws
 /// std::runtime_error, naming the file, if something cannot be written.
 void dump_flight(const DumpRequest& request, const DrawFrame& draw);

@@ -16,6 +16,7 @@ void write_files(const FilesRequest& request, const ig::Configuration& configura
     DumpRequest dump;
     dump.folder = request.folder;
     dump.film_name = video_files() ? request.name : "";
+    dump.first = request.first;
     dump.frames = request.frames;
     dump.frames_per_second = static_cast<std::uint32_t>(std::lround(frames_per_second));
     const ig::Raster& raster = configuration.raster;
@@ -25,8 +26,8 @@ void write_files(const FilesRequest& request, const ig::Configuration& configura
                                raster.width, raster.height, configuration.name);
     dump.progress = stderr_is_terminal();
     dump_flight(dump, draw);
-    fmt::print("{}: frame_000000.png to frame_{:06}.png, {}contact.png\n", dump.folder, dump.frames - 1,
-               dump.film_name.empty() ? "" : dump.film_name + ".mp4, ");
+    fmt::print("{}: frame_{:06}.png to frame_{:06}.png, {}contact.png\n", dump.folder, dump.first,
+               dump.first + dump.frames - 1, dump.film_name.empty() ? "" : dump.film_name + ".mp4, ");
 }
 
 void fly_as_files(Flight& flight, FilesRequest request, RetroDisplay* display) {

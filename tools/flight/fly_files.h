@@ -14,12 +14,13 @@ struct FilesRequest {
     std::string folder{};
     std::string name{};       ///< of the film, where the program can write one
     std::string heading{};    ///< over the contact sheet; the rest of the line is added
+    std::uint64_t first = 0;  ///< number of the first frame
     std::uint64_t frames = 0; ///< at least 1
     std::uint32_t width = 0;  ///< of the pictures; 0: the machine's
     std::uint32_t height = 0;
 };
 
-/// Draws frames 0 to frames - 1 with `draw`, pictures of this size, and writes them as tools/flight/dump.h says. Prints what was
+/// Draws frames first to first + frames - 1 with `draw`, pictures of this size, and writes them as tools/flight/dump.h says. Prints what was
 /// written.
 void write_files(const FilesRequest& request, const ig::Configuration& configuration,
                  double frames_per_second, const std::function<const ig::VideoFrame&(std::uint64_t)>& draw);

@@ -22,12 +22,12 @@ auto as_input(const Attempt& attempt) {
     }
 }
 
-std::uint64_t packets_of(const std::string& path) {
+std::vector<std::uint64_t> frame_numbers_of(const std::string& path) {
     RecordingReader recording(path);
-    std::uint64_t packets = 0;
+    std::vector<std::uint64_t> numbers;
     for (FramePacket packet; recording.next(packet);)
-        ++packets;
-    return packets;
+        numbers.push_back(packet.frame);
+    return numbers;
 }
 
 OpenedDatabase database_of(const std::string& recording, const RecordingHeader& header,
@@ -50,7 +50,7 @@ Replay::Replay(const std::string& recording, const std::string& database,
     : path_(recording), configuration_(configuration),
       recording_(as_input([&] { return std::make_unique<RecordingReader>(recording); })),
       opened_(database_of(recording, recording_->header(), database)),
-      packets_(as_input([&] { return packets_of(recording); })) {
+      frame_numbers_(as_input([&] { return frame_numbers_of(recording); })) {
     configuration_.update_rate_hz = recording_->header().update_rate_hz;
     machine_ = std::make_unique<ig::Machine>(opened_.database, configuration_);
     const auto decoded = ig::decode_history(recording_->history());
@@ -60,14 +60,14 @@ Replay::Replay(const std::string& recording, const std::string& database,
 
 void Replay::next() {
     if (!as_input([&] { return recording_->next(packet_); }))
-        throw BadInput(fmt::format("{}: has {} packets, and all have been drawn", path_, packets_));
+        throw BadInput(fmt::format("{}: has {} packets, and all have been drawn", path_, packets()));
     ++at_;
 }
 
 void Replay::skip_to(std::uint64_t number) {
-    if (number >= packets_)
-        throw BadInput(fmt::format("{}: has {} packets; expected 0 to {}", path_, packets_,
-                                   packets_ - std::min<std::uint64_t>(packets_, 1)));
+    if (number >= packets())
+        throw BadInput(fmt::format("{}: has {} packets; expected 0 to {}", path_, packets(),
+                                   packets() - std::min<std::uint64_t>(packets(), 1)));
     // Without levels of detail and wakes the machine remembers nothing, and there is nothing to be drawn for it.
     const bool remembers = !opened_.database.details.empty();
     while (at_ < number) {

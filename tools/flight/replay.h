@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace linkdig::tools {
 
@@ -25,7 +26,9 @@ public:
     /// Writes the next packet, and the history before it, as a saved state. Throws as RecordingWriter does.
     void save_state(const std::string& path);
 
-    std::uint64_t packets() const { return packets_; } ///< of the whole recording
+    std::uint64_t packets() const { return frame_numbers_.size(); } ///< of the whole recording
+    /// That packet `number`, from 0, carries: a recording that was begun in mid-flight does not begin with frame 0.
+    std::uint64_t frame_number(std::uint64_t number) const { return frame_numbers_[number]; }
     ig::Machine& machine() { return *machine_; }
     const RecordingHeader& header() const { return recording_->header(); }
     const ig::Configuration& configuration() const { return configuration_; }
@@ -40,8 +43,8 @@ private:
     OpenedDatabase opened_;
     std::unique_ptr<ig::Machine> machine_;
     FramePacket packet_;
-    std::uint64_t packets_ = 0;
-    std::uint64_t at_ = 0; ///< packets read so far
+    std::vector<std::uint64_t> frame_numbers_; ///< of all packets
+    std::uint64_t at_ = 0;                     ///< packets read so far
 };
 
 } // namespace linkdig::tools
