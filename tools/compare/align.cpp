@@ -12,10 +12,21 @@
 namespace linkdig::compare {
 namespace {
 
-std::set<std::string> series_of(const Side& side, bool planes) {
+/// A picture without a number beside numbered ones, as the contact sheet of a dump, is no frame of the flight; only if the other
+/// side has its namesake are the two compared.
+bool is_beside_frames(const Entry& entry, const Side& own, const Side& other) {
+    if (entry.key.number || !own.entries.back().key.number) return false; // those without a number come first
+    return std::ranges::none_of(other.entries, [&](const Entry& each) {
+        return !each.key.number && each.key.series == entry.key.series;
+    });
+}
+
+/// `other` is the other side.
+std::set<std::string> series_of(const Side& side, const Side& other, bool planes) {
     std::set<std::string> series;
     for (const Entry& entry : side.entries)
-        if (!entry.key.plane.empty() == planes) series.insert(entry.key.series);
+        if (!entry.key.plane.empty() == planes && !is_beside_frames(entry, side, other))
+            series.insert(entry.key.series);
     return series;
 }
 
@@ -29,8 +40,10 @@ std::set<std::string> without(const std::set<std::string>& a, const std::set<std
 std::map<std::string, std::string> renamed(const Side& expected, const Side& actual) {
     std::map<std::string, std::string> names;
     for (const bool planes : {false, true}) {
-        const auto left = without(series_of(expected, planes), series_of(actual, planes));
-        const auto right = without(series_of(actual, planes), series_of(expected, planes));
+        const auto of_expected = series_of(expected, actual, planes);
+        const auto of_actual = series_of(actual, expected, planes);
+        const auto left = without(of_expected, of_actual);
+        const auto right = without(of_actual, of_expected);
         if (left.size() == 1 && right.size() == 1) names[*right.begin()] = *left.begin();
     }
     return names;
@@ -45,8 +58,10 @@ Key key_of(const Entry& entry, const std::map<std::string, std::string>& names) 
 }
 
 /// A recording has no files of planes: those of a folder beside it only explain its pictures.
-bool is_wanted(const Entry& entry, const Side& other, const std::optional<tools::FrameRange>& frames) {
+bool is_wanted(const Entry& entry, const Side& own, const Side& other,
+               const std::optional<tools::FrameRange>& frames) {
     if (other.kind == Kind::recording && !entry.key.plane.empty()) return false;
+    if (is_beside_frames(entry, own, other)) return false;
     return !frames ||
            (entry.key.number && *entry.key.number >= frames->first && *entry.key.number <= frames->last);
 }
@@ -65,10 +80,10 @@ std::vector<Pair> align(const Side& expected, const Side& actual,
     const auto names = renamed(expected, actual);
     std::map<Key, Pair> pairs;
     for (std::size_t k = 0; k < expected.entries.size(); ++k)
-        if (is_wanted(expected.entries[k], actual, frames))
+        if (is_wanted(expected.entries[k], expected, actual, frames))
             pairs[key_of(expected.entries[k], {})].expected = k;
     for (std::size_t k = 0; k < actual.entries.size(); ++k)
-        if (is_wanted(actual.entries[k], expected, frames))
+        if (is_wanted(actual.entries[k], actual, expected, frames))
             pairs[key_of(actual.entries[k], names)].actual = k;
     if (pairs.empty())
         throw tools::BadInput("linkdig: error: neither side has a frame in the range of --frames");

@@ -60,6 +60,17 @@ TEST_F(CompareCommand, SequencesArePairedByNumberWhateverTheirNames) {
     EXPECT_EQ(run("compare " + in_quotes(a) + " " + in_quotes(folder.file("c"))).output, "same: 5 frames\n");
 }
 
+/// The contact sheet of a dump is no second series, and no extra frame.
+TEST_F(CompareCommand, PicturesWithoutANumberBesideFramesDoNotCount) {
+    write_sequence(folder.file("c"), "colour_", 5);
+    write_frame(b + "/contact.png", test_frame(80, 60));
+    const std::string c = in_quotes(folder.file("c"));
+    EXPECT_EQ(run("compare " + c + " " + in_quotes(b)).output, "same: 5 frames\n");
+    EXPECT_EQ(run("compare " + in_quotes(b) + " " + c).output, "same: 5 frames\n");
+    write_frame(a + "/contact.png", test_frame(80, 60, 1)); // both have one: these are compared
+    EXPECT_EQ(compare().exit_code, 1);
+}
+
 TEST_F(CompareCommand, MissingAndExtraFramesAreNamedWithCode3) {
     std::filesystem::remove(a + name(5));
     std::filesystem::remove(b + name(2));
