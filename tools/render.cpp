@@ -70,6 +70,15 @@ private:
 };
 
 int run(const RenderOptions& options) {
+/// They can be drawn, but a recording of the scenario and a flight as files do not have them.
+void tell_of_frames_after_the_end(const FrameRange& range, const Flight& flight) {
+    const std::uint64_t frames = flight.loop().frames();
+    if (range.last >= frames)
+        fmt::print(stderr,
+                   "linkdig: warning: --frames {}:{}: the scenario ends with frame {}, after {:g} s\n",
+                   range.first, range.last, frames - 1, flight.scenario().duration_s);
+}
+
     const FrameRange range = parse_frames(options.frames);
     const std::vector<ig::Plane> planes = parse_planes(options.planes);
     Flight flight(request_of(options));
@@ -86,6 +95,7 @@ int run(const RenderOptions& options) {
     if (options.display == "retro") photographer.emplace(flight.configuration());
     Progress progress(stderr_is_terminal(), range.last - range.first + 1);
     flight.lead_in(range.first, {});
+    tell_of_frames_after_the_end(range, flight);
     for (std::uint64_t frame = range.first; frame <= range.last; ++frame) {
         flight.draw(frame, {});
         for (const ig::Plane plane : planes)

@@ -123,6 +123,27 @@ TEST(CommandLine, OutputThatIsLostIsTheEnvironments) {
     EXPECT_EQ(run("--help | true").errors, "");
 }
 
+TEST(CommandLine, FramesAfterTheScenariosEndAreTold) {
+    const TemporaryFolder folder;
+    const std::string render = "render " + scenario + " --size 16x16 --out " + folder.text() + " --frames ";
+    EXPECT_EQ(run(render + "599").errors, "");
+    const Outcome after = run(render + "599:600");
+    EXPECT_EQ(after.exit_code, 0);
+    EXPECT_EQ(after.errors,
+              "linkdig: warning: --frames 599:600: the scenario ends with frame 599, after 20 s\n");
+    for (const std::string& command :
+         {render + "100000000", "why " + scenario + " --at 1,1 --frame 100000000"}) {
+        const Outcome refused = run(command);
+        EXPECT_EQ(refused.exit_code, 2) << command;
+        EXPECT_THAT(refused.errors,
+                    HasSubstr("linkdig: error: frame 100000000 cannot be drawn: channels[0].eye_m has the "
+                              "coordinate "))
+            << command;
+        EXPECT_THAT(refused.errors, HasSubstr("the scenario has the frames 0 to 599 (--frames, --frame)"))
+            << command;
+    }
+}
+
 TEST(CommandLine, ValuesOfRenderAreChecked) {
     EXPECT_THAT(run("render " + scenario + " --planes depth").errors, HasSubstr("no plane named 'depth'"));
     EXPECT_THAT(run("render " + scenario + " --frames 3:2").errors, HasSubstr("'3:2' is no range of frames"));

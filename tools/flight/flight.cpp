@@ -104,15 +104,25 @@ void Flight::replace_database(OpenedDatabase opened) {
     machine_ = std::make_unique<ig::Machine>(opened_.database, configuration_);
 }
 
+/// A refused packet is our mistake, but for frames so long after the scenario's duration that ships and eye have gone farther
+/// than coordinates do: whoever asked for one can help it.
+void Flight::refuse(std::uint64_t frame, const FrameReport& report) const {
+    const std::string reasons = fmt::format("{}", fmt::join(report.errors, "; "));
+    if (frame >= loop_.frames())
+        throw BadInput(
+            fmt::format("linkdig: error: frame {} cannot be drawn: {}; the scenario has the frames 0 to {} "
+                        "(--frames, --frame)",
+                        frame, reasons, loop_.frames() - 1));
+    throw std::logic_error(fmt::format("frame {} was refused: {}", frame, reasons));
+}
+
 const FrameReport& Flight::drawn(const FramePacket& packet) {
     packet_ = &packet;
     const Clock::time_point begin = Clock::now();
     const FrameReport& report = machine_->frame(packet);
     const double taken_s = seconds_since(begin);
     costs_.last_machine_s = taken_s;
-    if (!report.errors.empty())
-        throw std::logic_error(
-            fmt::format("frame {} was refused: {}", packet.frame, fmt::join(report.errors, "; ")));
+    if (!report.errors.empty()) refuse(packet.frame, report);
     std::uint64_t edges = 0;
     for (const ChannelReport& channel : report.channels)
         edges += channel.edges;

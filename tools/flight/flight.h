@@ -47,8 +47,8 @@ public:
     Flight(const Flight&) = delete;
     Flight& operator=(const Flight&) = delete;
 
-    /// Draws a frame. Throws std::logic_error, with the report's words, if the machine refuses the host's own
-    /// packet.
+    /// Draws a frame. Throws, with the report's words, if the machine refuses the host's own packet: BadInput for a frame after
+    /// the scenario's duration, else std::logic_error.
     const FrameReport& draw(std::uint64_t frame, const host::SignalValues& signals);
 
     /// Lets the water of the seconds before a frame come about, without drawing it: for pictures from the middle of a flight.
@@ -96,6 +96,7 @@ private:
     host::HostLoop loop_;
     ig::Configuration configuration_;
     const FrameReport& drawn(const FramePacket& packet);
+    [[noreturn]] void refuse(std::uint64_t frame, const FrameReport& report) const;
 
     std::unique_ptr<ig::Machine> machine_;
     const FramePacket* packet_ = nullptr;
