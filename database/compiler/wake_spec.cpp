@@ -99,6 +99,17 @@ void read_sampling(const toml::table* table, const std::string& file, Diagnostic
     reader.finish();
 }
 
+/// What is told of swimmers is told by their names.
+void add_swimmer(const toml::table& table, const std::string& file, Diagnostics& diagnostics,
+                 std::vector<KelvinSwimmer>& swimmers) {
+    KelvinSwimmer swimmer = read_swimmer(table, file, diagnostics);
+    if (!swimmer.name.empty() && std::ranges::count(swimmers, swimmer.name, &KelvinSwimmer::name) > 0)
+        diagnostics.error(
+            location_of(*table.get("name"), file),
+            fmt::format("a second [[swimmer]] is named \"{}\"; expected another name", swimmer.name));
+    swimmers.push_back(std::move(swimmer));
+}
+
 } // namespace
 
 std::optional<WakeSpec> read_wake_spec(const std::string& path, Diagnostics& diagnostics) {
@@ -110,7 +121,7 @@ std::optional<WakeSpec> read_wake_spec(const std::string& path, Diagnostics& dia
     read_field(reader.table("field"), path, diagnostics, spec.wakes);
     read_sampling(reader.table("sampling"), path, diagnostics, spec);
     for (const toml::table* swimmer : reader.tables("swimmer"))
-        spec.wakes.swimmers.push_back(read_swimmer(*swimmer, path, diagnostics));
+        add_swimmer(*swimmer, path, diagnostics, spec.wakes.swimmers);
     if (spec.wakes.swimmers.empty()) diagnostics.error({path, 0, 0}, "no [[swimmer]]; expected at least one");
     reader.finish();
     if (diagnostics.any()) return std::nullopt;

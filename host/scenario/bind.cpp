@@ -39,6 +39,27 @@ void bind_suns(const Scenario& scenario, const NameDirectory& directory, Binding
     }
 }
 
+/// What goes by a ship names a [[ship]] of the scenario. Said here and not when the scenario is read: if it is the ship's own name
+/// that is wrong, the database knows it, and the ship is told alone.
+void check_ship_names(const Scenario& scenario, const NameDirectory& directory,
+                      database::Diagnostics& diagnostics) {
+    const auto is_unknown = [&](const ShipSection& ship) {
+        return !directory.find_moving_object(ship.moving_object.text);
+    };
+    const bool a_ship_is_unknown = std::ranges::any_of(scenario.ships, is_unknown);
+    const auto check = [&](const Name& name) {
+        const auto same = [&](const ShipSection& ship) { return ship.moving_object.text == name.text; };
+        if (name.text.empty() || std::ranges::any_of(scenario.ships, same)) return;
+        if (a_ship_is_unknown && directory.find_moving_object(name.text)) return; // that ship is meant
+        diagnostics.error(name.at, fmt::format("no [[ship]] has the moving object \"{}\"", name.text));
+    };
+    for (const ShipSection& ship : scenario.ships)
+        check(ship.track.leader);
+    if (scenario.own_ship.beside) check(*scenario.own_ship.beside);
+    for (const ApproachSection& approach : scenario.approaches)
+        check(approach.ship);
+}
+
 template <typename Named>
 std::vector<std::string> names_of(const std::vector<Named>& things) {
     std::vector<std::string> names;
@@ -62,6 +83,7 @@ Binding bind(const Scenario& scenario, const NameDirectory& directory, database:
         binding.ship_slots.push_back(ship_slots(each.moving_object.text, directory));
         check_methods(each, binding.ship_slots.back(), diagnostics);
     }
+    check_ship_names(scenario, directory, diagnostics);
     const std::vector<std::string> slots = names_of(directory.slots);
     const Lookup lookup{"substitution slot", slots, diagnostics};
     for (const SequenceSection& each : scenario.sequences) {

@@ -23,8 +23,8 @@ struct Binding {
     std::uint32_t moving_object_count = 0;
 };
 
-/// Looks up all names. Unknown ones, and suns of the database that the scenario says nothing about, are
-/// reported where they stand in the scenario; the binding may be used only if nothing was.
+/// Looks up all names. Unknown ones, ships that are named without a [[ship]], and suns of the database that the scenario says
+/// nothing about, are reported where they stand in the scenario; the binding may be used only if nothing was.
 Binding bind(const Scenario& scenario, const NameDirectory& directory, database::Diagnostics& diagnostics);
 
 } // namespace linkdig::host

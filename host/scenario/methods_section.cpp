@@ -19,6 +19,9 @@ Wakes read_wakes(TableReader& ship) {
         names.push_back(ship.text("wake"));
     else
         names = ship.texts("wake");
+    if (node != nullptr && node->is_array() && node->as_array()->empty())
+        ship.error_at("wake", fmt::format("\"wake\" names nothing; expected \"none\", or some of {}",
+                                          fmt::join(wake_names, ", ")));
     Wakes wakes{};
     for (const std::string& name : names) {
         const auto found = std::ranges::find(wake_names, name);

@@ -11,19 +11,15 @@ namespace {
 
 using Kind = OwnShipSection::Kind;
 
-void read_fixed(TableReader& reader, const Scenario& scenario, OwnShipSection& own) {
+void read_fixed(TableReader& reader, OwnShipSection& own) {
+    const std::size_t mistakes = reader.diagnostics().all().size();
     own.position_m = reader.point_m("position");
     own.aim_m = reader.point_m("aim");
-    if (own.aim_m == own.position_m)
+    const bool read = reader.diagnostics().all().size() == mistakes;
+    if (read && own.aim_m == own.position_m)
         reader.error_at("aim_m", "the aim is the eye itself; expected another point");
     if (reader.has("beside")) {
         own.beside = read_name(reader, "beside");
-        const auto same = [&](const ShipSection& ship) {
-            return ship.moving_object.text == own.beside->text;
-        };
-        if (std::ranges::none_of(scenario.ships, same))
-            reader.error_at("beside",
-                            fmt::format("no [[ship]] has the moving object \"{}\"", own.beside->text));
     } else {
         reader.node("beside"); // known, though absent
     }
@@ -46,7 +42,7 @@ void read_own_ship(TableReader& root, Scenario& scenario) {
     TableReader reader(*table, root.file(), "[own_ship]", root.diagnostics());
     OwnShipSection& own = scenario.own_ship;
     own.kind = static_cast<Kind>(reader.choice("kind", 0, {"approach", "fixed", "path", "flown"}));
-    if (own.kind == Kind::fixed) read_fixed(reader, scenario, own);
+    if (own.kind == Kind::fixed) read_fixed(reader, own);
     if (own.kind == Kind::path) read_path(reader, own);
     if (own.kind == Kind::flown) {
         own.position_m = reader.point_m("position");

@@ -5,20 +5,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <span>
 
 namespace linkdig::host {
 
 namespace {
 
-/// Reports `name` if a section of the same kind has it already.
-template <typename Sections, typename Member>
-void refuse_second(const Name& name, const Sections& before, Member member, const char* kind,
+/// Reports `name` if a section of the same kind has it already. `name_of`: a section's name.
+template <typename Sections, typename NameOf>
+void refuse_second(const Name& name, const Sections& before, NameOf name_of, const char* kind,
                    database::Diagnostics& diagnostics) {
-    const auto same =
-        std::ranges::find_if(before, [&](const auto& each) { return (each.*member).text == name.text; });
+    const auto same = std::ranges::find_if(
+        before, [&](const Name& each) { return each.text == name.text; }, name_of);
     if (name.text.empty() || same == before.end()) return;
     diagnostics.error(name.at, fmt::format("a second {} for \"{}\"; the first stands in line {}", kind,
-                                           name.text, ((*same).*member).at.line));
+                                           name.text, std::invoke(name_of, *same).at.line));
 }
 
 constexpr Range elevation_range{-90.0, 90.0};
@@ -38,6 +40,7 @@ const SeaState* read_sea_state(TableReader& reader) {
 
 SunSection read_sun(TableReader& reader) {
     SunSection sun;
+    const std::size_t mistakes = reader.diagnostics().all().size();
     sun.azimuth_rad = read_heading_rad(reader, "azimuth");
     const SeaState* state = read_sea_state(reader);
     std::optional<double> elevation_deg;
@@ -51,9 +54,11 @@ SunSection read_sun(TableReader& reader) {
     sun.least_elevation_rad = reader.angle_rad("least_elevation", 5.0, elevation_range);
     sun.greatest_elevation_rad =
         reader.angle_rad("greatest_elevation", state != nullptr ? 90.0 : 85.0, elevation_range);
-    if (sun.least_elevation_rad > sun.greatest_elevation_rad)
+    const bool read =
+        reader.diagnostics().all().size() == mistakes; // else values stand in for those that are wrong
+    if (read && sun.least_elevation_rad > sun.greatest_elevation_rad)
         reader.error_at("least_elevation_deg", "\"least_elevation_deg\" is above \"greatest_elevation_deg\"");
-    else if (sun.turning() &&
+    else if (read && sun.turning() &&
              (sun.elevation_rad < sun.least_elevation_rad || sun.elevation_rad > sun.greatest_elevation_rad))
         reader.error_at("elevation_deg",
                         fmt::format("\"elevation_deg\" is {:.6g}; a turning sun stands between "
@@ -104,22 +109,18 @@ void read_approaches(TableReader& root, Scenario& scenario) {
         if (reader.has("ship")) approach.ship = read_name(reader, "ship");
         reader.node("ship"); // known, though absent
         approach.duration_s = reader.duration_s("duration", {}, {1.0, 86400.0});
+        const std::size_t mistakes = reader.diagnostics().all().size();
         const std::vector<Vec3d> path = reader.points_m("path");
+        const bool read = reader.diagnostics().all().size() == mistakes; // else points were left out
         if (path.size() == approach.path_m.size())
             std::ranges::copy(path, approach.path_m.begin());
-        else if (reader.has("path_m") || reader.has("path_ft"))
+        else if (read)
             reader.error_at(
                 reader.has("path_m") ? "path_m" : "path_ft",
                 fmt::format("the path has {} points; expected 4: start, two handles, hover", path.size()));
         approach.first_aim_m = reader.point_m("first_aim");
         approach.last_aim_m = reader.point_m("last_aim");
         reader.finish();
-        const auto flown = [&](const ShipSection& ship) {
-            return ship.moving_object.text == approach.ship.text;
-        };
-        if (!approach.ship.text.empty() && std::ranges::none_of(scenario.ships, flown))
-            root.diagnostics().error(approach.ship.at, fmt::format("no [[ship]] has the moving object \"{}\"",
-                                                                   approach.ship.text));
         scenario.approaches.push_back(std::move(approach));
     }
     if (scenario.approaches.empty() && !root.has("approach") &&
@@ -131,10 +132,12 @@ void read_approaches(TableReader& root, Scenario& scenario) {
 }
 
 void read_channels(TableReader& root, Scenario& scenario) {
+    std::vector<Name> names;
     for (const toml::table* table : root.tables("channel")) {
         TableReader reader(*table, root.file(), "[[channel]]", root.diagnostics());
         ChannelSection channel;
-        channel.name = reader.text("name");
+        names.push_back(read_name(reader, "name"));
+        channel.name = names.back().text;
         channel.horizontal_field_rad = reader.angle_rad("horizontal_field", {}, {1.0, 150.0});
         if (reader.has("vertical_field_deg"))
             channel.vertical_field_rad = reader.angle_rad("vertical_field", {}, {1.0, 150.0});
@@ -143,6 +146,8 @@ void read_channels(TableReader& root, Scenario& scenario) {
         channel.azimuth_rad = -reader.angle_rad("azimuth", 0.0, {-180.0, 180.0});
         channel.elevation_rad = reader.angle_rad("elevation", 0.0, elevation_range);
         reader.finish();
+        refuse_second(names.back(), std::span(names).first(names.size() - 1), std::identity{}, "[[channel]]",
+                      root.diagnostics());
         scenario.channels.push_back(std::move(channel));
     }
     const std::size_t count = scenario.channels.size();

@@ -41,10 +41,7 @@ void check_stations(const Scenario& scenario, database::Diagnostics& diagnostics
         if (ship.track.kind != Kind::station || leader.text.empty()) continue;
         const auto found = std::ranges::find_if(
             scenario.ships, [&](const ShipSection& each) { return each.moving_object.text == leader.text; });
-        if (found == scenario.ships.end())
-            diagnostics.error(leader.at,
-                              fmt::format("no [[ship]] has the moving object \"{}\"", leader.text));
-        else if (found->track.kind == Kind::station)
+        if (found != scenario.ships.end() && found->track.kind == Kind::station)
             diagnostics.error(
                 leader.at,
                 fmt::format("\"{}\" keeps station herself; expected a ship with a track of her own",

@@ -38,6 +38,8 @@ TEST(WakeSpec, MistakesAreToldWithTheirLine) {
     for (const Case& each : {
              Case{"[[swimmer]]\nname = \"b\"\nspeed_mps = 0.0\n" + line, ":6:13: error: "},
              Case{"[[swimmer]]\nname = \"b\"\nspeed_mps = nan\n" + line, ":6:13: error: "},
+             Case{boat + line + boat + line,
+                  ":11:8: error: a second [[swimmer]] is named \"boat\"; expected another name"},
              Case{boat + "damping_per_s = -1.0\n" + line, ":7:17: error: "},
              Case{boat + "[[swimmer.path]]\nkind = \"line\"\npoints_m = [[1.0, 2.0], [1.0, 2.0]]\n",
                   "the path of \"boat\" piece 1 has no length"},

@@ -90,10 +90,11 @@ TEST(ReportSections, MistakesInTracksAreTold) {
                           "\"figure_of_eight\", \"station\""));
     EXPECT_THAT(mistakes("[ship.track]\nkind = \"turn\""),
                 HasSubstr("[ship.track] lacks the key \"radius_m\""));
-    EXPECT_THAT(mistakes("", "[[ship]]\nmoving_object = \"dd963\"\n[ship.track]\nkind = \"station\"\nleader "
-                             "= \"lpd\"\noffset_m "
-                             "= [1, 2, 0]"),
-                HasSubstr("no [[ship]] has the moving object \"lpd\""));
+    database::Diagnostics unbound;
+    bind(sound("", "[[ship]]\nmoving_object = \"dd963\"\n[ship.track]\nkind = \"station\"\nleader "
+                   "= \"lpd\"\noffset_m = [1, 2, 0]"),
+         {}, unbound);
+    EXPECT_THAT(unbound.text(), HasSubstr("no [[ship]] has the moving object \"lpd\""));
     EXPECT_THAT(mistakes("",
                          "[[ship]]\nmoving_object = \"dd963\"\n[ship.track]\nkind = \"station\"\nleader = "
                          "\"dd963\"\noffset_m = [1, 2, 0]"),
@@ -223,10 +224,12 @@ TEST(ReportSections, TheOwnShipOfEachKind) {
     EXPECT_THAT(
         own("[own_ship]\nkind = \"fixed\"\nposition_m = [0, 0, 1]\naim_m = [0, 0, 1]\n").diagnostics.text(),
         HasSubstr("the aim is the eye itself"));
-    EXPECT_THAT(
-        own("[own_ship]\nkind = \"fixed\"\nposition_m = [0, 0, 1]\naim_m = [0, 0, 0]\nbeside = \"lph2\"\n")
-            .diagnostics.text(),
-        HasSubstr("no [[ship]] has the moving object \"lph2\""));
+    const ScenarioResult beside =
+        own("[own_ship]\nkind = \"fixed\"\nposition_m = [0, 0, 1]\naim_m = [0, 0, 0]\nbeside = \"lph2\"\n");
+    ASSERT_TRUE(beside.scenario) << beside.diagnostics.text();
+    database::Diagnostics unbound;
+    bind(*beside.scenario, {}, unbound);
+    EXPECT_THAT(unbound.text(), HasSubstr("no [[ship]] has the moving object \"lph2\""));
 }
 
 } // namespace

@@ -114,8 +114,6 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[[sequence]]\n", "[[sequence]]\nslot = \"wake\"\ndwell_s = 0.2\n[[sequence]]\n",
                 ":21:8:", "a second [[sequence]] for \"wake\"; the first stands in line 18"},
         Mistake{"dwell_s = 0.1", "dwell_s = 0", ":19:11:", "\"dwell_s\" is 0; expected 0.001 to 3600"},
-        Mistake{"ship = \"lph2\"", "ship = \"dd963\"",
-                ":21:8:", "no [[ship]] has the moving object \"dd963\""},
         Mistake{", [3, 0, 1]]", "]",
                 ":23:10:", "the path has 3 points; expected 4: start, two handles, hover"},
         Mistake{"[[approach]]", "[approach]",
@@ -126,6 +124,10 @@ INSTANTIATE_TEST_SUITE_P(
                 ":1:1:", "the scenario has 0 channels; expected 1 to 8"},
         Mistake{"[[channel]]", "[sky]\nrgb = [0, 300, 0]\n[[channel]]",
                 ":27:7:", "\"rgb\" has the component 300; expected 0 to 255"},
+        Mistake{"[[channel]]", "[[channel]]\nname = \"ahead\"\nhorizontal_field_deg = 50\n[[channel]]",
+                ":30:8:", "a second [[channel]] for \"ahead\"; the first stands in line 27"},
+        Mistake{"speed_kt = 12\n", "speed_kt = 12\nwake = []\n",
+                ":13:8:", "\"wake\" names nothing; expected \"none\", or some of "},
         Mistake{"[[channel]]", "[sea]\nstates = 2\n[[channel]]",
                 ":27:1:", "unknown key \"states\" in [sea]; did you mean \"state\"?"},
         Mistake{"[[channel]]", "[fog]\n[[channel]]", ":26:2:", "unknown key \"fog\" in the scenario"}));
@@ -138,6 +140,17 @@ TEST(LoadScenario, EveryMistakeOfAFileIsToldAtOnce) {
     const ScenarioResult result = loaded(text);
     EXPECT_FALSE(result.scenario.has_value());
     EXPECT_THAT(result.diagnostics.all(), SizeIs(4)) << result.diagnostics.text();
+}
+
+/// What comes of a value that was refused is no second mistake.
+TEST(LoadScenario, EachMistakeIsToldOnce) {
+    for (const auto& [from, to] :
+         {std::pair("[3, 0, 1]]", "[3, nan, 1]]"), std::pair("[3, 0, 1]]", "3]"),
+          std::pair("elevation_deg = 30", "elevation_deg = 500"),
+          std::pair("elevation_deg = 30", "elevation_deg = 30\nleast_elevation_deg = 500")})
+        EXPECT_THAT(loaded(replaced(sound, from, to)).diagnostics.all(), SizeIs(1)) << to;
+    // "position_m" and "aim_m" are missing, and no aim is the eye.
+    EXPECT_THAT(loaded(sound + "[own_ship]\nkind = \"fixed\"\n").diagnostics.all(), SizeIs(2));
 }
 
 TEST(LoadScenario, MissingEmptyAndBrokenFiles) {
@@ -256,6 +269,22 @@ TEST_F(Bind, UnknownNamesAreToldWithTheNearestOrAll) {
     EXPECT_THAT(
         text, HasSubstr(":18:8: error: the database has no substitution slot \"wake\"; it has: flag, smoke"));
     EXPECT_THAT(text, HasSubstr("error: the database has no object list \"dome\"; did you mean \"dom\"?"));
+}
+
+TEST_F(Bind, AShipThatIsNamedHasASection) {
+    const auto told = [&](const std::string& text) {
+        database::Diagnostics diagnostics;
+        bind(loaded(text).scenario.value(), names(), diagnostics);
+        return diagnostics.text();
+    };
+    const std::string with_sky = sound + "[sky]\nbands = [\"low\"]\n";
+    EXPECT_THAT(told(replaced(with_sky, "ship = \"lph2\"", "ship = \"tug\"")),
+                testing::EndsWith(".toml:21:8: error: no [[ship]] has the moving object \"tug\"\n"));
+    EXPECT_THAT(told(replaced(with_sky, "moving_object = \"lph2\"", "moving_object = \"lhp2\"")),
+                testing::MatchesRegex(
+                    "[^\n]*\\.toml:10:17: error: the database has no moving object \"lhp2\"; did you mean "
+                    "\"lph2\"\\?\n"))
+        << "the ship alone, and not the approach to her";
 }
 
 } // namespace
