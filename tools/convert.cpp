@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 namespace linkdig::tools {
@@ -21,17 +22,32 @@ struct ConvertOptions {
     std::string output;
 };
 
+/// A name that says text for a recording, or the other way round, is a slip: of the command's two directions the input chooses.
+void require_kind_of(const std::string& output, bool is_text) {
+    const std::string ending = std::filesystem::path(output).extension().string();
+    const bool named_text = ending == ".jsonl" || ending == ".json" || ending == ".txt";
+    const bool named_recording = ending == ".rec" || ending == ".state";
+    if (is_text ? named_recording : named_text)
+        throw std::invalid_argument(fmt::format("'{}' cannot be written: its name is that of a {}, but of "
+                                                "the input comes a {}; expected another one, "
+                                                "as flight.{}",
+                                                output, is_text ? "recording" : "text",
+                                                is_text ? "text" : "recording", is_text ? "jsonl" : "rec"));
+}
+
 int convert(const ConvertOptions& options) {
     require_recording_name(options.output);
     require_other_file(options.output, options.input);
     if (std::filesystem::is_directory(options.input))
         throw BadInput(options.input + ": error: is a folder; expected a recording, or one as text");
     if (compare::has_recording_magic(options.input)) {
+        require_kind_of(options.output, true);
         RecordingReader recording(options.input);
         recording_to_json(recording, options.output);
     } else {
         std::ifstream text(options.input);
         if (!text) throw BadInput(fmt::format("{}: error: cannot be read", options.input));
+        require_kind_of(options.output, false);
         try {
             json_to_recording(text, options.output);
         } catch (const RecordingTextMistake& mistake) {

@@ -34,6 +34,28 @@ TEST(Convert, TextAndBackIsTheSameRecording) {
     EXPECT_FALSE(std::filesystem::exists(folder.file("c.jsonl.part")));
 }
 
+/// The input says which way it goes; a name that says the other way is refused, and what stood there is as it was.
+TEST(Convert, NamesAreThoseOfWhatIsWritten) {
+    const TemporaryFolder folder;
+    const std::string flight = folder.file("a.rec");
+    ASSERT_EQ(run("record '" LINKDIG_SOURCE_DIR "/database/scenes/pier/passing.toml' --frames 2 -o " + flight)
+                  .exit_code,
+              0);
+    const std::string text = folder.file("a.jsonl");
+    ASSERT_EQ(run("convert " + flight + " -o " + text).exit_code, 0);
+    std::ofstream(folder.file("b.jsonl")) << "as it was";
+    const Outcome as_text = run("convert " + text + " -o " + folder.file("b.jsonl"));
+    EXPECT_EQ(as_text.exit_code, 2);
+    EXPECT_THAT(as_text.errors,
+                HasSubstr("b.jsonl' cannot be written: its name is that of a text, but of the input comes "
+                          "a recording; expected another one, as flight.rec"));
+    EXPECT_EQ(bytes_of(folder.file("b.jsonl")), "as it was");
+    const Outcome as_recording = run("convert " + flight + " -o " + folder.file("b.rec"));
+    EXPECT_EQ(as_recording.exit_code, 2);
+    EXPECT_THAT(as_recording.errors, HasSubstr("expected another one, as flight.jsonl"));
+    EXPECT_EQ(run("convert " + text + " -o " + folder.file("of_any_name")).exit_code, 0);
+}
+
 TEST(Convert, MistakesAreTheAuthorsAndFilesTheEnvironments) {
     const TemporaryFolder folder;
     const std::string text = folder.file("a.jsonl");
