@@ -85,11 +85,15 @@ nlohmann::json as_json(const std::string& scene, const bench::MeasureOptions& op
             {"overruns", live.overruns}};
 }
 
+bench::Scene scene_of(const BenchArguments& arguments, const std::string& name) {
+    return name == "dense" ? bench::dense_scene(arguments.triangles) : bench::make_scene(name);
+}
+
 int run_live(const BenchArguments& arguments, const std::vector<std::string>& scenes) {
     nlohmann::json results = nlohmann::json::array();
     for (const std::string& name : scenes) {
         const bench::LiveTimes live =
-            bench::measure_live(bench::make_scene(name), arguments.measure, arguments.live_hz);
+            bench::measure_live(scene_of(arguments, name), arguments.measure, arguments.live_hz);
         if (arguments.json) {
             results.push_back(as_json(name, arguments.measure, live));
         } else {
@@ -170,9 +174,7 @@ int run(const BenchArguments& arguments) {
             "scene", "median", "min", "max", "active", "priority", "geometry", "edges", "scanline", "video",
             "faces", "edges", "segments");
     for (const std::string& name : scenes) {
-        const bench::Scene scene =
-            name == "dense" ? bench::dense_scene(arguments.triangles) : bench::make_scene(name);
-        const bench::Measurement result = bench::measure(scene, arguments.measure);
+        const bench::Measurement result = bench::measure(scene_of(arguments, name), arguments.measure);
         if (arguments.json) {
             results.push_back(as_json(name, arguments.measure, result));
         } else {
@@ -223,22 +225,20 @@ void add_bench(CLI::App& app, int& exit_code) {
     command->add_option("--visibility", arguments->measure.visibility_m, "Visibility, metres; 0: unlimited")
         ->check(finite_number(0.0, 1e6))
         ->capture_default_str();
-    CLI::Option* const live =
-        command
-            ->add_option(
-                "--live", arguments->live_hz,
-                "Frames at this rate, Hz, as a host sends them: quantiles of their times, and overruns")
-            ->check(finite_number(1.0, 1000.0));
-    CLI::Option* const sea_methods =
-        command
-            ->add_flag("--sea-methods", arguments->sea_methods,
-                       "The sea moved by one sun vector against all vertex normals (report, 3.1.4)")
-            ->excludes(live);
+    command
+        ->add_option("--live", arguments->live_hz,
+                     "Frames at this rate, Hz, as a host sends them: quantiles of their times, and overruns")
+        ->check(finite_number(1.0, 1000.0));
+    // Both fly a scenario of their own, and how the sea is moved is measured on one thread.
+    command
+        ->add_flag("--sea-methods", arguments->sea_methods,
+                   "The sea moved by one sun vector against all vertex normals (report, 3.1.4)")
+        ->excludes("--live", "--scene", "--triangles", "--channels", "--visibility", "--threads",
+                   "--smoothing");
     command
         ->add_flag("--wakes", arguments->wakes,
                    "Two ships' figure of eight with and without the wakes that the machine makes")
-        ->excludes(live)
-        ->excludes(sea_methods);
+        ->excludes("--sea-methods", "--live", "--scene", "--triangles", "--channels", "--visibility");
     command->add_flag("--json", arguments->json, "Print a list of objects");
     command->footer(
         "Frames are measured whole: packet in, pixels in memory. The share of scanline and video is summed\n"

@@ -188,8 +188,10 @@ void add_compile(CLI::App& app, int& exit_code) {
     command->add_flag("--json", arguments->json, "print the counts, list by list, as JSON");
     command->add_flag("--watch", arguments->watch,
                       "stay, and compile again whenever SRC or a file that it includes is saved");
-    command->add_flag("--schema", arguments->schema,
-                      "print every table and key of the authoring language, as Markdown or JSON");
+    command
+        ->add_flag("--schema", arguments->schema,
+                   "print every table and key of the authoring language, as Markdown or JSON")
+        ->excludes("SRC", "--output", "--watch");
     command->footer(
         "Example: linkdig compile database/scenes/first_flight/first_flight.toml -o first_flight.igdb");
     command->callback([arguments, &exit_code] { exit_code = compile(*arguments); });

@@ -31,7 +31,7 @@ struct FlyOptions {
     std::optional<double> frames_per_second;
     bool headless = false;
     std::string out = "out/flight";
-    std::string record;
+    std::optional<std::string> record;
     std::string state = "linkdig.state";
     std::uint32_t threads = 0;
     bool panel = false;
@@ -59,7 +59,7 @@ FlightRequest request_of(const FlyOptions& options) {
 }
 
 int as_files(const FlyOptions& options) {
-    if (!options.record.empty())
+    if (options.record)
         throw std::invalid_argument("--record keeps what is flown in a window; linkdig record needs none");
     if (options.panel)
         throw std::invalid_argument("--panel needs a window; files are flown as the scenario says");
@@ -74,7 +74,7 @@ int as_files(const FlyOptions& options) {
 }
 
 int run(const FlyOptions& options) {
-    if (!options.record.empty()) require_recording_name(options.record);
+    if (options.record) require_recording_name(*options.record);
     require_recording_name(options.state);
     if (options.headless) return as_files(options);
     host::SignalStore signals;
@@ -85,8 +85,8 @@ int run(const FlyOptions& options) {
     Window window("linkdig fly: " + flight.scenario().name, request.configuration.raster.width,
                   request.configuration.raster.height);
     FlyRequest flown_as{.updates = options.frames.value_or(0), .state = options.state, .panel = true};
-    if (!options.record.empty()) {
-        flown_as.record = options.record;
+    if (options.record) {
+        flown_as.record = *options.record;
         flown_as.record_all = true;
     }
     flown_as.signals = &signals;

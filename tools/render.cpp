@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -69,7 +70,6 @@ private:
     int warm_up_ = 10;
 };
 
-int run(const RenderOptions& options) {
 /// They can be drawn, but a recording of the scenario and a flight as files do not have them.
 void tell_of_frames_after_the_end(const FrameRange& range, const Flight& flight) {
     const std::uint64_t frames = flight.loop().frames();
@@ -79,23 +79,27 @@ void tell_of_frames_after_the_end(const FrameRange& range, const Flight& flight)
                    range.first, range.last, frames - 1, flight.scenario().duration_s);
 }
 
+int run(const RenderOptions& options) {
     const FrameRange range = parse_frames(options.frames);
     const std::vector<ig::Plane> planes = parse_planes(options.planes);
+    const auto wanted = [&](ig::Plane plane) { return std::ranges::find(planes, plane) != planes.end(); };
+    if (options.display == "retro" && !wanted(ig::Plane::colour))
+        throw std::invalid_argument(
+            "--display retro photographs the colour plane; expected colour among --planes");
     Flight flight(request_of(options));
     if (options.channel >= flight.scenario().channels.size())
         throw BadInput(
             fmt::format("linkdig: error: there is no channel {}; the scenario has {}, numbered from 0",
                         options.channel, flight.scenario().channels.size()));
-    const auto wanted = [&](ig::Plane plane) { return std::ranges::find(planes, plane) != planes.end(); };
     const bool numbers = std::ranges::any_of(
         planes, [](ig::Plane plane) { return plane != ig::Plane::colour && plane != ig::Plane::intensity; });
     flight.machine().draw_planes(wanted(ig::Plane::intensity), numbers);
     make_folder(options.out);
+    tell_of_frames_after_the_end(range, flight);
     std::optional<Photographer> photographer;
     if (options.display == "retro") photographer.emplace(flight.configuration());
     Progress progress(stderr_is_terminal(), range.last - range.first + 1);
     flight.lead_in(range.first, {});
-    tell_of_frames_after_the_end(range, flight);
     for (std::uint64_t frame = range.first; frame <= range.last; ++frame) {
         flight.draw(frame, {});
         for (const ig::Plane plane : planes)
@@ -120,6 +124,7 @@ void add_render(CLI::App& app, int& exit_code) {
     render->add_option("--frames", options->frames, "FIRST:LAST, both drawn, or one frame")
         ->capture_default_str();
     render->add_option("--channel", options->channel, "Channel of the scenario, from 0")
+        ->transform(whole_number())
         ->capture_default_str();
     render
         ->add_option("--planes", options->planes, "Some of colour,intensity,rank,list,object,face,edges,flat")
@@ -134,7 +139,6 @@ void add_render(CLI::App& app, int& exit_code) {
         ->check(CLI::IsMember({"plain", "retro"}))
         ->capture_default_str();
     render->add_option("--profile", options->profile, "Machine profile")
-        ->transform(whole_number())
         ->check(CLI::IsMember({"ames", "modern"}))
         ->capture_default_str();
     render->add_option("--fps", options->frames_per_second, "Frames a second of simulated time")

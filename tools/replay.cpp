@@ -32,7 +32,7 @@ struct ReplayOptions {
     std::optional<std::uint64_t> frames;
     bool hashes = false;
     std::string out = "out/replay";
-    std::string save;
+    std::optional<std::string> save;
     std::optional<std::string> size;
     std::string profile = "modern";
     std::uint32_t threads = 0;
@@ -61,16 +61,18 @@ void write_pictures(Replay& replay, std::uint64_t frames, const ReplayOptions& o
 }
 
 int run(const ReplayOptions& options) {
-    require_recording_name(options.save);
-    require_other_file(options.save, options.recording);
+    if (options.save) {
+        require_recording_name(*options.save);
+        require_other_file(*options.save, options.recording);
+    }
     const ig::Configuration configuration =
         configuration_of(options.profile, options.size, std::nullopt, options.threads, false);
     Replay replay(options.recording, options.database, configuration);
     replay.skip_to(options.from);
     const std::uint64_t left = replay.packets() - options.from;
     const std::uint64_t frames = std::min(left, options.frames.value_or(left));
-    if (!options.save.empty())
-        replay.save_state(options.save);
+    if (options.save)
+        replay.save_state(*options.save);
     else if (options.hashes)
         print_hashes(replay, frames);
     else
@@ -91,13 +93,15 @@ void add_replay(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 10000000));
     command->add_option("--database", options->database,
                         "Database (.toml or .igdb); default: the recording's own");
-    CLI::Option* hashes = command->add_flag(
-        "--hashes", options->hashes, "Print each picture's frame number and XXH64, and write no files");
+    command->add_option("--out", options->out, "Folder of the files")->capture_default_str();
+    command
+        ->add_flag("--hashes", options->hashes,
+                   "Print each picture's frame number and XXH64, and write no files")
+        ->excludes("--out");
     command
         ->add_option("--save-state", options->save,
                      "Write the state before packet --from to this file, and stop")
-        ->excludes(hashes);
-    command->add_option("--out", options->out, "Folder of the files")->capture_default_str();
+        ->excludes("--hashes", "--frames", "--out");
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT pixels; default: the profile's");
     command->add_option("--profile", options->profile, "Machine profile")
         ->check(CLI::IsMember({"ames", "modern"}))

@@ -211,6 +211,41 @@ TEST(CommandLine, NamesOfFilesToWriteAreThoseOfTheirKind) {
     EXPECT_FALSE(std::filesystem::exists(folder.file("sheet.png")));
 }
 
+/// What an option asks for is done, or it is said that it cannot be.
+TEST(CommandLine, OptionsThatWouldDoNothingAreRefused) {
+    struct Case {
+        std::string arguments;
+        const char* told;
+    };
+    for (const Case& each : {
+             Case{"compile --schema x.toml", "--schema excludes SRC"},
+             Case{"compile --schema -o x.igdb", "--schema excludes --output"},
+             Case{"compile --schema --watch", "--schema excludes --watch"},
+             Case{"bench --wakes --scene sea", "--wakes excludes --scene"},
+             Case{"bench --wakes --visibility 100", "--wakes excludes --visibility"},
+             Case{"bench --sea-methods --scene sea", "--sea-methods excludes --scene"},
+             Case{"bench --sea-methods --live 30", "--sea-methods excludes --live"},
+             Case{"bench --sea-methods --threads 2", "--sea-methods excludes --threads"},
+             Case{"replay x.rec --hashes --out y", "--hashes excludes --out"},
+             Case{"replay x.rec --save-state y --out z", "--save-state excludes --out"},
+             Case{"replay x.rec --save-state y --frames 3", "--save-state excludes --frames"},
+             Case{"replay x.rec --save-state ''", "'' is no name of a file to write"},
+             Case{"render " + scenario + " --planes intensity --display retro",
+                  "--display retro photographs the colour plane; expected colour among --planes"},
+             Case{"fly " + scenario + " --headless --record ''", "'' is no name of a file to write"},
+         }) {
+        const Outcome outcome = run(each.arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << each.arguments;
+        EXPECT_EQ(outcome.output, "") << each.arguments;
+        // CLI11 names two that exclude one another in either order.
+        std::string swapped = each.told;
+        if (const std::size_t at = swapped.find(" excludes "); at != std::string::npos)
+            swapped = swapped.substr(at + 10) + " excludes " + swapped.substr(0, at);
+        EXPECT_THAT(outcome.errors, testing::AnyOf(HasSubstr(each.told), HasSubstr(swapped)))
+            << each.arguments;
+    }
+}
+
 TEST(CommandLine, AFileThatIsReadIsNotWritten) {
     const TemporaryFolder folder;
     const std::string flight = folder.file("flight.rec");

@@ -20,6 +20,8 @@ void require_ending(const std::string& path, std::string_view kind,
 }
 
 void require_recording_name(const std::string& path) {
+    if (path.empty())
+        throw std::invalid_argument("'' is no name of a file to write; expected one, as flight.rec");
     const std::string ending = std::filesystem::path(path).extension().string();
     if (ending == ".toml" || ending == ".igdb")
         throw std::invalid_argument(fmt::format("'{}' cannot be written: flights are made from files of that "

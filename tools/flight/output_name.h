@@ -13,7 +13,8 @@ namespace linkdig::tools {
 void require_ending(const std::string& path, std::string_view kind,
                     std::initializer_list<std::string_view> endings);
 
-/// Recordings may have any name but those of what a flight is made from: throws std::invalid_argument for .toml and .igdb.
+/// Recordings may have any name but those of what a flight is made from: throws std::invalid_argument for .toml and .igdb, and
+/// for none at all.
 void require_recording_name(const std::string& path);
 
 /// One file by two names? A file that is not there is another.
