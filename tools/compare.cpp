@@ -209,8 +209,8 @@ void add_compare(CLI::App& app, int& exit_code) {
         "Frames (.png, .exr, .tif) are paired by the number in their names. Planes of linkdig render that "
         "stand\n"
         "beside the colour (list, object, face) tell whose pixels differ.\n"
-        "Exit codes: 0 same, 1 differs, 2 bad usage or unreadable, 3 missing or extra frames, 4 size or\n"
-        "channels differ; of several, the first of 2, 4, 3, 1.\n"
+        "Exit codes: 0 same, 1 differs, 2 bad usage or unreadable, 3 missing or extra frames (or a\n"
+        "file cannot be written), 4 size or channels differ; of several, the first of 2, 4, 3, 1.\n"
         "Example:\n  linkdig compare before after --tolerance '<=1:*' --report out.html");
     compare->callback([options, &exit_code] { exit_code = run(*options); });
 }
