@@ -73,7 +73,8 @@ std::vector<Case> cases_of(const CompareOptions& options) {
     if (options.case_name.empty()) return cases;
     std::erase_if(cases, [&](const Case& each) { return each.name != options.case_name; });
     if (cases.empty())
-        throw BadInput(fmt::format("{}: error: there is no case '{}'", options.manifest, options.case_name));
+        throw BadInput(
+            fmt::format("linkdig: error: {}: there is no case '{}'", options.manifest, options.case_name));
     return cases;
 }
 
@@ -121,7 +122,8 @@ int run(const CompareOptions& options) {
     int exit_code = 0;
     for (const Case& each : cases) {
         if (options.update && !std::filesystem::is_directory(each.expected) && is_recording(each.expected))
-            throw BadInput(each.expected + ": error: is a recording; --update rewrites pictures");
+            throw BadInput("linkdig: error: " + each.expected +
+                           ": is a recording; --update rewrites pictures");
         junit.begin(each.name.empty() ? "compare" : each.name);
         results.push_back(compare_case(each, settings, [&](const FrameResult& frame) {
             if (!options.junit.empty()) junit.take(frame, settings.scan);

@@ -107,7 +107,8 @@ bool takes_a_source(const Arguments& arguments, const database::CompileResult& r
     const bool takes = std::ranges::any_of(
         result.files, [&](const std::string& file) { return same_file(file, arguments.output); });
     if (takes)
-        fmt::print(stderr, "error: {} is a file that the database is made of; expected another output\n",
+        fmt::print(stderr,
+                   "linkdig: error: {} is a file that the database is made of; expected another output\n",
                    arguments.output);
     return takes;
 }
@@ -126,7 +127,7 @@ int compile_once(const Arguments& arguments, const database::CompileResult& resu
     try {
         database::write_database(*result.database, arguments.output);
     } catch (const std::runtime_error& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        fmt::print(stderr, "linkdig: error: {}\n", error.what());
         return environment;
     }
     fmt::print("{}\n", arguments.json ? json_text(result) : line_text(result));

@@ -39,19 +39,20 @@ int convert(const ConvertOptions& options) {
     require_recording_name(options.output);
     require_other_file(options.output, options.input);
     if (std::filesystem::is_directory(options.input))
-        throw BadInput(options.input + ": error: is a folder; expected a recording, or one as text");
+        throw BadInput("linkdig: error: " + options.input +
+                       ": is a folder; expected a recording, or one as text");
     if (compare::has_recording_magic(options.input)) {
         require_kind_of(options.output, true);
         RecordingReader recording(options.input);
         recording_to_json(recording, options.output);
     } else {
         std::ifstream text(options.input);
-        if (!text) throw BadInput(fmt::format("{}: error: cannot be read", options.input));
+        if (!text) throw BadInput(fmt::format("linkdig: error: {}: cannot be read", options.input));
         require_kind_of(options.output, false);
         try {
             json_to_recording(text, options.output);
         } catch (const RecordingTextMistake& mistake) {
-            throw BadInput(fmt::format("{}: error: {}", options.input, mistake.what()));
+            throw BadInput(fmt::format("linkdig: error: {}: {}", options.input, mistake.what()));
         }
     }
     fmt::print("{}: written\n", options.output);

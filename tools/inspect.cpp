@@ -23,7 +23,7 @@ struct InspectOptions {
 int inspect(const InspectOptions& options) {
     const database::ReadResult read = database::read_database(options.path);
     if (!read.database) {
-        fmt::print(stderr, "error: {}\n", read.error);
+        fmt::print(stderr, "linkdig: error: {}\n", read.error);
         return ExitCode::bad_input;
     }
     fmt::print("{}", options.json ? database::dump_json(*read.database, read.id)

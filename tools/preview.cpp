@@ -97,7 +97,7 @@ int preview(const PreviewOptions& options) {
     const OpenedDatabase opened = open_database(options.database);
     const std::vector<PreviewSubject> subjects = preview_subjects(opened.database);
     if (subjects.empty()) {
-        fmt::print(stderr, "error: {}: nothing in it has faces; expected something to look at\n",
+        fmt::print(stderr, "linkdig: error: {}: nothing in it has faces; expected something to look at\n",
                    options.database);
         return ExitCode::bad_input;
     }

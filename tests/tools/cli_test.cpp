@@ -287,6 +287,30 @@ TEST(CommandLine, ScenesThatAreNotThereAreNamed) {
                 HasSubstr("LINKDIG_SCENES names " + folder.file("none") + ", which is no folder"));
 }
 
+/// What has no place in a file is said by the program.
+TEST(CommandLine, MistakesWithoutAPlaceBeginWithTheProgramsName) {
+    const TemporaryFolder folder;
+    const std::string flight = folder.file("flight.rec");
+    ASSERT_EQ(run("record " + scenario + " --frames 1 -o " + flight).exit_code, 0);
+    std::ofstream(folder.file("cut.igdb")) << "cut";
+    const std::string database = "'" LINKDIG_SOURCE_DIR "/database/scenes/runway_lights/runway_lights.toml'";
+    for (const auto& [command, exit_code] :
+         {std::pair("inspect " + folder.file("cut.igdb"), 2),
+          std::pair("preview " + folder.file("cut.igdb") + " -o " + folder.file("a.png"), 2),
+          std::pair("compile " + database + " -o " + folder.file("none/a.igdb"), 3),
+          std::pair("replay " + flight + " --database " + folder.file("none.igdb"), 2),
+          std::pair("replay " + flight + " --from 1", 2), std::pair("replay " + folder.file("none.rec"), 2),
+          std::pair("record " + scenario + " -o " + folder.file("b.rec") + " --state " + folder.file("none"),
+                    2),
+          std::pair("convert " + folder.file("none") + " -o " + folder.file("b.rec"), 2),
+          std::pair("compare " + folder.file("none") + " " + flight, 2)}) {
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.exit_code, exit_code) << command;
+        EXPECT_EQ(outcome.output, "") << command;
+        EXPECT_THAT(outcome.errors, testing::MatchesRegex("linkdig: error: [^\n]*\n")) << command;
+    }
+}
+
 TEST(CommandLine, AMistakeInAScenarioHasItsPlace) {
     const TemporaryFolder folder;
     std::ofstream(folder.file("wrong.toml")) << "[scenario]\nname = 3\n";

@@ -62,7 +62,7 @@ TEST(Convert, MistakesAreTheAuthorsAndFilesTheEnvironments) {
     std::ofstream(text) << "{\"linkdig_recording\": 1}\n{\"frame\": 1, \"tme_s\": 0}\n";
     const Outcome mistake = run("convert " + text + " -o " + folder.file("a.rec"));
     EXPECT_EQ(mistake.exit_code, 2);
-    EXPECT_THAT(mistake.errors, HasSubstr(text + ": error: line 2: tme_s: "));
+    EXPECT_THAT(mistake.errors, HasSubstr("linkdig: error: " + text + ": line 2: tme_s: "));
     EXPECT_EQ(run("convert " + folder.file("none") + " -o " + folder.file("a.rec")).exit_code, 2);
     EXPECT_THAT(run("convert " + folder.file("") + " -o " + folder.file("a.rec")).errors,
                 HasSubstr("is a folder"));

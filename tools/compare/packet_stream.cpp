@@ -25,14 +25,14 @@ bool has_recording_magic(const std::string& path) {
 PacketStream::PacketStream(const std::string& path) : path_(path) {
     if (!has_recording_magic(path)) {
         text_.open(path);
-        if (!text_) throw BadInput(path + ": error: cannot be read");
+        if (!text_) throw BadInput("linkdig: error: " + path + ": cannot be read");
         return;
     }
     try {
         reader_ = std::make_unique<RecordingReader>(path);
         database_id_ = reader_->header().database_id;
     } catch (const std::runtime_error& error) {
-        throw BadInput(error.what());
+        throw BadInput(std::string("linkdig: error: ") + error.what());
     }
 }
 
@@ -45,7 +45,7 @@ bool PacketStream::next(FramePacket& packet) {
     try {
         return reader_->next(packet);
     } catch (const std::runtime_error& error) {
-        throw BadInput(error.what());
+        throw BadInput(std::string("linkdig: error: ") + error.what());
     }
 }
 

@@ -20,7 +20,7 @@ struct Recording::State {
         : path(of), frames_of(with), stream(of), machine(*with.database, with.configuration) {
         machine.draw_planes(false, true);
         const auto history = ig::decode_history(stream.history());
-        if (!history) throw BadInput(path + ": error: its history is none of this program's");
+        if (!history) throw BadInput("linkdig: error: " + path + ": its history is none of this program's");
         // Under a database with other details the levels held mean nothing: ranges alone decide.
         if (history->held_level.size() == with.database->details.size()) machine.restore(*history);
     }
@@ -41,8 +41,8 @@ bool is_recording(const std::string& path) {
 
 Recording::Recording(const std::string& path, const FramesOf& frames_of) {
     if (frames_of.database == nullptr)
-        throw BadInput(path +
-                       ": error: a recording holds no faces; expected --database FILE to draw it with");
+        throw BadInput("linkdig: error: " + path +
+                       ": a recording holds no faces; expected --database FILE to draw it with");
     state_ = std::make_unique<State>(path, frames_of);
 }
 

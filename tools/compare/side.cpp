@@ -24,8 +24,9 @@ void refuse_doubles(const Side& side) {
         const Entry& a = side.entries[k - 1];
         const Entry& b = side.entries[k];
         if (order_of(a) == order_of(b))
-            throw BadInput(fmt::format("{}: error: {} and {} are the same frame; expected one file for each",
-                                       side.path, a.name, b.name));
+            throw BadInput(
+                fmt::format("linkdig: error: {}: {} and {} are the same frame; expected one file for each",
+                            side.path, a.name, b.name));
     }
 }
 
@@ -36,10 +37,11 @@ void read_folder(Side& side, bool may_be_empty) {
         if (!is_picture_file(name) || name.starts_with('.') || file->is_directory(error)) continue;
         side.entries.push_back({name, file->path().string(), frame_name(name)});
     }
-    if (error) throw BadInput(fmt::format("{}: error: cannot be read: {}", side.path, error.message()));
+    if (error)
+        throw BadInput(fmt::format("linkdig: error: {}: cannot be read: {}", side.path, error.message()));
     if (side.entries.empty() && !may_be_empty)
         throw BadInput(
-            fmt::format("{}: error: no frames in it; expected .png, .exr or .tif files", side.path));
+            fmt::format("linkdig: error: {}: no frames in it; expected .png, .exr or .tif files", side.path));
 }
 
 /// Names as files of a golden have them: frame for the first channel, channel_1 for the next.
@@ -57,7 +59,7 @@ void read_recording(Side& side) {
         entry.channel = frame.channel;
         side.entries.push_back(std::move(entry));
     }
-    if (side.entries.empty()) throw BadInput(side.path + ": error: no packets in it");
+    if (side.entries.empty()) throw BadInput("linkdig: error: " + side.path + ": no packets in it");
 }
 
 } // namespace
@@ -67,7 +69,7 @@ Side open_side(const std::string& path, const FramesOf& frames_of, bool may_be_e
     side.path = path;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) throw BadInput(path + ": error: there is no such file or folder");
+    if (!fs::exists(status)) throw BadInput("linkdig: error: " + path + ": there is no such file or folder");
     if (fs::is_directory(status)) {
         side.kind = Kind::folder;
         read_folder(side, may_be_empty);

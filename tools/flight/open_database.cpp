@@ -39,7 +39,7 @@ private:
 
 OpenedDatabase read(const std::string& path) {
     database::ReadResult result = database::read_database(path);
-    if (!result.database) throw BadInput(result.error);
+    if (!result.database) throw BadInput("linkdig: error: " + result.error);
     return {std::move(*result.database), result.id};
 }
 

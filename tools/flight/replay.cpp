@@ -18,7 +18,7 @@ auto as_input(const Attempt& attempt) {
     try {
         return attempt();
     } catch (const std::runtime_error& error) {
-        throw BadInput(error.what());
+        throw BadInput(std::string("linkdig: error: ") + error.what());
     }
 }
 
@@ -34,12 +34,13 @@ OpenedDatabase database_of(const std::string& recording, const RecordingHeader& 
                            const std::string& given) {
     const std::string path = given.empty() ? header.database : given;
     if (path.empty() || !std::filesystem::exists(path))
-        throw BadInput(fmt::format("{}: its database \"{}\" is not there; --database names another place",
-                                   recording, path));
+        throw BadInput(fmt::format(
+            "linkdig: error: {}: its database \"{}\" is not there; --database names another place", recording,
+            path));
     OpenedDatabase opened = open_database(path);
     if (header.database_id != 0 && opened.id != header.database_id)
-        throw BadInput(fmt::format("{}: was made with database {:016x}; {} is {:016x}", recording,
-                                   header.database_id, path, opened.id));
+        throw BadInput(fmt::format("linkdig: error: {}: was made with database {:016x}; {} is {:016x}",
+                                   recording, header.database_id, path, opened.id));
     return opened;
 }
 
@@ -54,19 +55,21 @@ Replay::Replay(const std::string& recording, const std::string& database,
     configuration_.update_rate_hz = recording_->header().update_rate_hz;
     machine_ = std::make_unique<ig::Machine>(opened_.database, configuration_);
     const auto decoded = ig::decode_history(recording_->history());
-    if (!decoded) throw BadInput(fmt::format("{}: its history is none of this program's", recording));
+    if (!decoded)
+        throw BadInput(fmt::format("linkdig: error: {}: its history is none of this program's", recording));
     machine_->restore(*decoded);
 }
 
 void Replay::next() {
     if (!as_input([&] { return recording_->next(packet_); }))
-        throw BadInput(fmt::format("{}: has {} packets, and all have been drawn", path_, packets()));
+        throw BadInput(
+            fmt::format("linkdig: error: {}: has {} packets, and all have been drawn", path_, packets()));
     ++at_;
 }
 
 void Replay::skip_to(std::uint64_t number) {
     if (number >= packets())
-        throw BadInput(fmt::format("{}: has {} packets; expected 0 to {}", path_, packets(),
+        throw BadInput(fmt::format("linkdig: error: {}: has {} packets; expected 0 to {}", path_, packets(),
                                    packets() - std::min<std::uint64_t>(packets(), 1)));
     // Without levels of detail and wakes the machine remembers nothing, and there is nothing to be drawn for it.
     const bool remembers = !opened_.database.details.empty();
@@ -85,7 +88,8 @@ const FramePacket& Replay::draw() {
 void Replay::draw_packet() {
     const FrameReport& report = machine_->frame(packet_);
     if (!report.errors.empty())
-        throw BadInput(fmt::format("{}: packet {}: {}", path_, at_ - 1, fmt::join(report.errors, "; ")));
+        throw BadInput(
+            fmt::format("linkdig: error: {}: packet {}: {}", path_, at_ - 1, fmt::join(report.errors, "; ")));
 }
 
 void Replay::save_state(const std::string& path) {

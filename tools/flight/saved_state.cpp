@@ -18,16 +18,17 @@ SavedState load_state(const std::string& path, std::uint64_t database_id) {
     try {
         RecordingReader file(path);
         if (!file.next(state.packet))
-            throw BadInput(fmt::format("{}: holds no packet; expected a saved state", path));
+            throw BadInput(fmt::format("linkdig: error: {}: holds no packet; expected a saved state", path));
         state.history = file.history();
     } catch (const BadInput&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw BadInput(error.what());
+        throw BadInput(std::string("linkdig: error: ") + error.what());
     }
     if (state.packet.database_id != database_id)
-        throw BadInput(fmt::format("{}: was saved with database {:016x}; the scenario's is {:016x}", path,
-                                   state.packet.database_id, database_id));
+        throw BadInput(
+            fmt::format("linkdig: error: {}: was saved with database {:016x}; the scenario's is {:016x}",
+                        path, state.packet.database_id, database_id));
     return state;
 }
 

@@ -18,6 +18,8 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace linkdig::tools {
@@ -32,6 +34,13 @@ struct Shown {
     bool of_1980 = false;
     bool operator==(const Shown&) const = default;
 };
+
+/// A mistake as told on the screen, where it is plain who speaks.
+std::string on_screen(std::string told) {
+    constexpr std::string_view speaker = "linkdig: error: ";
+    if (told.starts_with(speaker)) told.erase(0, speaker.size());
+    return told;
+}
 
 class Cockpit {
 public:
@@ -122,7 +131,7 @@ private:
     /// All of it goes where there is room for it, the first line on the screen.
     void refuse_database(const std::string& why) {
         fmt::print(stderr, "{}{}", why, why.ends_with('\n') ? "" : "\n");
-        told_ = "the database stays: " + why.substr(0, why.find('\n'));
+        told_ = "the database stays: " + on_screen(why.substr(0, why.find('\n')));
     }
 
     /// The frame that this update shows: of 1980 every second one is drawn, at 30 updates a second.
@@ -177,7 +186,7 @@ private:
             shown_ = Shown{state.packet.frame, standing(signals_), screen_.of_1980};
             told_ = fmt::format("frame {} of {}", state.packet.frame, request_.state);
         } catch (const BadInput& refused) {
-            told_ = refused.what();
+            told_ = on_screen(refused.what());
         }
     }
 

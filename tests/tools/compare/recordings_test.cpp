@@ -130,7 +130,7 @@ TEST_F(CompareRecordings, WhatTheMachineRememberedIsPutBack) {
     EXPECT_EQ(compare("--database " + in_quotes(towers)).output, "same: 1 frame\n");
     write_recording(b, {packet}, std::vector<std::uint8_t>{9, 9});
     EXPECT_THAT(compare("--database " + in_quotes(towers)).errors,
-                HasSubstr(b + ": error: its history is none of this program's"));
+                HasSubstr("linkdig: error: " + b + ": its history is none of this program's"));
 }
 
 TEST_F(CompareRecordings, ACutRecordingIsNamed) {
