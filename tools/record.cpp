@@ -2,6 +2,7 @@
 
 #include "database/format/name_directory.h"
 #include "host/packet/recording.h"
+#include "tools/flight/arguments.h"
 #include "tools/flight/flight.h"
 #include "tools/flight/output_name.h"
 #include "tools/flight/saved_state.h"
@@ -21,6 +22,7 @@ struct RecordOptions {
     std::string output;
     std::string state;
     std::optional<std::uint64_t> frames;
+    std::optional<std::string> size;
     double frames_per_second = 30.0;
 };
 
@@ -29,8 +31,7 @@ int record(const RecordOptions& options) {
     require_other_file(options.output, options.state);
     FlightRequest request;
     request.scenario_path = options.scenario;
-    request.configuration = ig::modern_profile();
-    request.configuration.update_rate_hz = options.frames_per_second;
+    request.configuration = configuration_of("modern", options.size, options.frames_per_second, 0, false);
     Flight flight(request);
     host::SignalValues signals;
     std::uint64_t first = 0;
@@ -61,6 +62,10 @@ void add_record(CLI::App& app, int& exit_code) {
     command->add_option("-o,--output", options->output, "Recording to write")->required();
     command->add_option("--frames", options->frames, "So many frames; default: the whole scenario")
         ->check(CLI::Range(1, 10000000));
+    command->add_option(
+        "--size", options->size,
+        "Picture that the views are made for, WIDTHxHEIGHT pixels: its shape counts; default: the "
+        "profile's, 1024x1024");
     command->add_option("--state", options->state, "Begin where a saved state stands, with its signals");
     command->add_option("--fps", options->frames_per_second, "Frames a second of simulated time")
         ->check(CLI::Range(1, 240))

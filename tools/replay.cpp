@@ -17,6 +17,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -38,20 +40,38 @@ struct ReplayOptions {
     std::uint32_t threads = 0;
 };
 
+/// Views are made for a picture of some shape: in one of another, all is squashed.
+void warn_of_shape(const FramePacket& packet, const ig::Raster& raster) {
+    const auto shown = std::ranges::find(packet.channels, true, &ChannelView::on);
+    if (shown == packet.channels.end()) return;
+    const double shape =
+        (shown->right_tangent - shown->left_tangent) / (shown->top_tangent - shown->bottom_tangent);
+    const double squashed = shape * raster.height / raster.width;
+    constexpr double rounding = 0.01; // a picture has whole pixels
+    if (std::fabs(squashed - 1.0) > rounding)
+        fmt::print(stderr,
+                   "linkdig: warning: the recording's views are made for pictures {:.3g} times as wide as "
+                   "high, not for {} x "
+                   "{} (linkdig record --size)\n",
+                   shape, raster.width, raster.height);
+}
+
 void print_hashes(Replay& replay, std::uint64_t frames) {
     for (std::uint64_t i = 0; i < frames; ++i) {
         const FramePacket& packet = replay.draw();
+        if (i == 0) warn_of_shape(packet, replay.configuration().raster);
         fmt::print("{} {:016x}\n", packet.frame, ig::picture_hash(replay.machine().picture(0)));
     }
 }
 
 void write_pictures(Replay& replay, std::uint64_t frames, const ReplayOptions& options) {
     require_fonts();
-    const auto draw = [&](std::uint64_t) -> const ig::VideoFrame& {
-        replay.draw();
+    const std::uint64_t first = replay.frame_number(options.from);
+    const auto draw = [&](std::uint64_t frame) -> const ig::VideoFrame& {
+        const FramePacket& packet = replay.draw();
+        if (frame == first) warn_of_shape(packet, replay.configuration().raster);
         return replay.machine().picture(0);
     };
-    const std::uint64_t first = replay.frame_number(options.from);
     write_files({.folder = options.out,
                  .name = std::filesystem::path(options.recording).stem().string(),
                  .heading = "linkdig replay: " + std::filesystem::path(options.recording).filename().string(),

@@ -80,6 +80,17 @@ TEST_F(RecordReplay, FilesHaveTheNumbersOfTheirPackets) {
               bytes_of(folder_.file("all/frame_000007.png")));
 }
 
+TEST_F(RecordReplay, APictureOfAnotherShapeIsWarnedOf) {
+    const std::string recording = folder_.file("wide.rec");
+    ASSERT_EQ(run("record " + std::string(LINKDIG_SOURCE_DIR) +
+                  "/database/scenes/first_flight/approach.toml -o " + recording + " --frames 1 --size 160x80")
+                  .exit_code,
+              0);
+    EXPECT_EQ(run("replay " + recording + " --hashes --size 320x160").errors, "");
+    EXPECT_THAT(run("replay " + recording + " --hashes --size 160x160").errors,
+                HasSubstr("made for pictures 2 times as wide as high, not for 160 x 160"));
+}
+
 /// A flight with wakes that the machine makes of what it remembers, from its middle on.
 class WakeReplay : public testing::Test {
 protected:
