@@ -26,7 +26,7 @@ void make_square(const MeshRows& mesh, std::uint32_t row, std::uint32_t column, 
     if (std::ranges::all_of(corners, [&](std::uint32_t c) { return is_dark(active.made_vertices[c]); }))
         return;
     if (change_between(active, corners[1], corners[3]) < change_between(active, corners[0], corners[2]))
-        std::ranges::rotate(corners, std::begin(corners) + 1);
+        std::rotate(std::begin(corners), std::begin(corners) + 1, std::end(corners));
     face.first_corner = static_cast<std::uint32_t>(active.made_corners.size());
     active.made_corners.insert(active.made_corners.end(), std::begin(corners), std::end(corners));
     active.made_faces.push_back(face);
