@@ -34,7 +34,7 @@ struct WhyOptions {
 void parse_pixel(const std::string& text, const ig::VideoFrame& picture, std::uint32_t& column,
                  std::uint32_t& row) {
     int used = 0;
-    const bool read = std::sscanf(text.c_str(), "%u,%u%n", &column, &row, &used) == 2 &&
+    const bool read = std::sscanf(text.c_str(), "%9u,%9u%n", &column, &row, &used) == 2 &&
                       static_cast<std::size_t>(used) == text.size() && text.find('-') == std::string::npos;
     if (!read || column >= picture.width || row >= picture.height) {
         throw BadInput(fmt::format("linkdig: error: --at {}: expected COLUMN,ROW inside the {} x {} picture",

@@ -41,7 +41,7 @@ TEST(CommandLine, WhyTellsTheFaceAndItsAuthoringLine) {
     const Outcome json = run("why " + scenario + " --frame 560 --at 320,300 --size 640x480 --json");
     EXPECT_EQ(json.exit_code, 0);
     EXPECT_THAT(json.output, HasSubstr("\"object\": \"hull sides\""));
-    for (const char* at : {"640,0", "0,480", "1", "1,2,3", "-1,2", "a,b"}) {
+    for (const char* at : {"640,0", "0,480", "1", "1,2,3", "-1,2", "a,b", "4294967296,0"}) {
         const Outcome outside = run("why " + scenario + " --size 640x480 --at=" + at);
         EXPECT_EQ(outside.exit_code, 2) << at;
         EXPECT_THAT(outside.errors, HasSubstr("expected COLUMN,ROW inside the 640 x 480 picture")) << at;
