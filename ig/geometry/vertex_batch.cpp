@@ -18,8 +18,12 @@ using V = hn::Vec<F64>;
 
 HWY_INLINE V Set(double value) { return hn::Set(F64(), value); }
 
-/// As snap(): floor(value + 0.5). Outside the guard band whatever the conversion gives.
-HWY_INLINE hn::Vec<I32> Snapped(V value) { return hn::DemoteTo(I32(), hn::Floor(hn::Add(value, Set(0.5)))); }
+/// As snap(): floor(value + 0.5). Nobody uses a place outside the guard band, or none at all (z = 0), but it must have a number.
+HWY_INLINE hn::Vec<I32> Snapped(V value) {
+    const auto number = hn::IfThenElseZero(hn::Eq(value, value), value);
+    const auto inside = hn::Min(hn::Max(number, Set(-guard_limit)), Set(guard_limit));
+    return hn::DemoteTo(I32(), hn::Floor(hn::Add(inside, Set(0.5))));
+}
 
 /// Component `row` of channel_from_list * position + w * origin.
 HWY_INLINE V Transformed(const BlockView& view, int row, V x, V y, V z, V w) {
