@@ -59,7 +59,7 @@ struct EdgeFace {
     bool coloured = false;           ///< its plane and the next two are of red, green and blue
     std::uint32_t first_outline = 0; ///< into FaceEdges::outlines; with edge smoothing alone
     std::uint32_t outlines = 0;
-    std::int32_t first_element = 0; ///< its outlines touch no element outside these, within the raster
+    std::int32_t first_element = 0; ///< it touches no element outside these, within the raster
     std::int32_t end_element = 0;
     bool blends = false; ///< semi-opaque, additive or fading: others show through it
     bool additive = false;

@@ -115,6 +115,7 @@ public:
         made.fade = face.fade;
         made.level = face.level;
         made.blends = made.additive || face.opacity < opaque || face.fade < opaque;
+        put_extent(points, face.point_count, made);
         if (spans_a_centre(points, face.point_count)) put_crossings(points, face.point_count, made);
         if (face.triangle >= 0 && (made.leading > 0 || smoothing_)) put_plane(face, points[0], made);
         if (smoothing_) put_outline(points, face.point_count, made);
@@ -127,6 +128,17 @@ private:
         for (std::size_t k = 1; k < count; ++k)
             if (first_line_at(points[k].line) != line) return true;
         return false;
+    }
+
+    void put_extent(const RasterPoint* points, std::size_t count, EdgeFace& made) const {
+        std::int32_t leftmost = points[0].element;
+        std::int32_t rightmost = points[0].element;
+        for (std::size_t k = 1; k < count; ++k) {
+            leftmost = std::min(leftmost, points[k].element);
+            rightmost = std::max(rightmost, points[k].element);
+        }
+        made.first_element = std::clamp(leftmost >> 8, 0, elements_);
+        made.end_element = std::clamp((rightmost >> 8) + 1, 0, elements_);
     }
 
     /// Of a polygon of positive area the edges that run up the lines begin it on a line, those that run down end it.
@@ -174,15 +186,11 @@ private:
         made.first_outline = static_cast<std::uint32_t>(out_.outlines.size());
         std::int32_t least = points[0].line;
         std::int32_t greatest = points[0].line;
-        std::int32_t leftmost = points[0].element;
-        std::int32_t rightmost = points[0].element;
         for (std::size_t k = 0; k < count; ++k) {
             const RasterPoint& from = points[k];
             const RasterPoint& to = points[k + 1 == count ? 0 : k + 1];
             least = std::min(least, from.line);
             greatest = std::max(greatest, from.line);
-            leftmost = std::min(leftmost, from.element);
-            rightmost = std::max(rightmost, from.element);
             if (from.line == to.line) continue;
             const bool begins = to.line < from.line;
             const RasterPoint& upper = begins ? to : from;
@@ -193,8 +201,6 @@ private:
         made.outlines = static_cast<std::uint32_t>(out_.outlines.size()) - made.first_outline;
         made.first_line = std::clamp(least >> 8, 0, lines_);
         made.end_line = std::clamp((greatest + 255) >> 8, 0, lines_);
-        made.first_element = std::clamp(leftmost >> 8, 0, elements_);
-        made.end_element = std::clamp((rightmost >> 8) + 1, 0, elements_);
     }
 
     const ProjectedFaces& projected_;

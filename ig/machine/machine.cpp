@@ -124,12 +124,7 @@ Colour background_of(const FramePacket& packet) {
 }
 
 BandCounts count(const BandSegments& band) {
-    BandCounts counts{.segments = band.segments.size()};
-    std::uint64_t on_line[band_lines] = {};
-    for (const Segment& segment : band.segments) {
-        counts.most_on_a_line = std::max(counts.most_on_a_line, ++on_line[segment.line - band.first_line]);
-    }
-    return counts;
+    return {.segments = band.segments.size(), .most_on_a_line = *std::ranges::max_element(band.on_line)};
 }
 
 } // namespace

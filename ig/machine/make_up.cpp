@@ -32,12 +32,14 @@ bool holds(const Segment& segment, std::uint32_t line, std::uint32_t element) {
 
 void add_shares(const VideoInput& video, const BandSegments& band, std::uint32_t line, std::uint32_t element,
                 std::vector<PixelShare>& shares) {
-    for (const SegmentList* segments : {&band.segments, &band.background})
-        for (const Segment& segment : *segments)
-            if (holds(segment, line, element))
-                shares.push_back(share_of(video,
-                                          segments == &band.background ? background_rank : segment.face,
-                                          whole_pixel, line, element));
+    std::size_t at = 0;
+    for (const FaceSegments& face : band.faces)
+        for (; at < face.end; ++at)
+            if (holds(band.segments[at], line, element))
+                shares.push_back(share_of(video, face.face, whole_pixel, line, element));
+    for (const Segment& segment : band.background)
+        if (holds(segment, line, element))
+            shares.push_back(share_of(video, background_rank, whole_pixel, line, element));
     for (const ShareRun& run : band.shares) {
         if (run.line != line || element < run.first || element >= std::uint32_t{run.first} + run.count)
             continue;

@@ -13,14 +13,15 @@ namespace {
 /// A bit per element from the first one on that a face reaches.
 using Window = std::uint64_t;
 
-Window window_at(const std::uint64_t* bits, std::uint32_t first) {
+template <typename Bits>
+Window window_at(const Bits& bits, std::uint32_t first) {
     const std::uint32_t word = first / word_bits, shift = first % word_bits;
     Window found = bits[word] >> shift;
     if (shift > word_bits - narrow_elements) found |= bits[word + 1] << (word_bits - shift);
     return found;
 }
 
-void flip_bits(std::uint64_t* bits, std::uint32_t first, Window flipped) {
+void flip_bits(const LineMask& bits, std::uint32_t first, Window flipped) {
     const std::uint32_t word = first / word_bits, shift = first % word_bits;
     bits[word] ^= flipped << shift;
     if (shift > word_bits - narrow_elements) bits[word + 1] ^= flipped >> (word_bits - shift);
@@ -131,7 +132,7 @@ HWY_INLINE void CoverNarrow(const OutlineLine& traced, Areas& areas, Window& som
     const auto all = hn::Set(d, static_cast<std::int32_t>(whole_pixel));
     some = whole = 0;
     for (std::int32_t k = 0; k < traced.end - traced.begin; k += lanes) {
-        const auto x = hn::ShiftLeft<8>(hn::Iota(d, traced.begin + k));
+        const auto x = hn::ShiftLeft<8>(hn::Add(hn::Iota(d, 0), hn::Set(d, traced.begin + k)));
         auto area = hn::Zero(d);
         for (const EdgePiece& edge : traced.pieces) {
             const auto more = Piece(edge).Area(x);
@@ -184,12 +185,12 @@ HWY_INLINE Taken Divide(const OutlineLine& traced, const BandLine& line, Window 
     return {wholly ^ rests, trimmed(partly & begins, some) | trimmed(partly & ends, some), rests};
 }
 
-void PutAlone(Window alone, std::uint32_t first, std::uint32_t rank, const BandLine& line,
-              BandSegments& band) {
+void PutAlone(Window alone, std::uint32_t first, const BandLine& line, BandSegments& band) {
     while (alone != 0) {
         const BitRun run = take_run(alone);
-        band.segments.push_back({rank, line.number, static_cast<std::uint16_t>(first + run.first),
+        band.segments.push_back({line.number, static_cast<std::uint16_t>(first + run.first),
                                  static_cast<std::uint16_t>(run.count())});
+        ++band.on_line[line.number - band.first_line];
     }
 }
 
@@ -220,7 +221,7 @@ std::uint32_t PutNarrowLine(const OutlineLine& traced, std::uint32_t rank, const
         or_bits(line.shared, first, taken.newly_shared);
         closed |= PutShares(areas, shared, first, rank, line, band);
     }
-    PutAlone(taken.alone, first, rank, line, band);
+    PutAlone(taken.alone, first, line, band);
     flip_bits(line.open, first, closed);
     return static_cast<std::uint32_t>(std::popcount(closed));
 }

@@ -4,6 +4,7 @@
 /// shares of the line are one run.
 
 #include "ig/scanline/coverage.h"
+#include "ig/scanline/open_mask.h"
 #include "ig/scanline/segment.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ inline constexpr std::int32_t few_elements = 16;
 
 /// One line of a band, as its faces change it.
 struct BandLine {
-    std::uint64_t* open = nullptr;   ///< a bit per element, and a spare word
+    LineMask open;                   ///< a bit per element, and a spare word
     std::uint64_t* shared = nullptr; ///< likewise; the next line, or a spare word, follows
     std::uint32_t* left = nullptr; ///< per element, of whole_pixel; room for narrow_elements behind the last
     std::uint16_t number = 0;

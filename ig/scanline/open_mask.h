@@ -3,11 +3,19 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace linkdig::ig {
 
 inline constexpr std::uint32_t word_bits = 64;
+
+/// A line's words, each this many words of memory behind the one before.
+struct LineMask {
+    std::uint64_t* first = nullptr;
+    std::size_t step = 1;
+    std::uint64_t& operator[](std::size_t word) const { return first[word * step]; }
+};
 
 /// Bits [first, end) of a word.
 struct BitRun {
@@ -25,9 +33,10 @@ inline BitRun take_run(std::uint64_t& bits) {
     return {first, rest == 0 ? word_bits : static_cast<std::uint32_t>(std::countr_zero(rest))};
 }
 
-/// First element in [at, end) whose bit, exclusive-ored with `inverted`, is set; end if there is none.
-inline std::uint32_t next_bit(const std::uint64_t* bits, std::uint32_t at, std::uint32_t end,
-                              std::uint64_t inverted) {
+/// First element in [at, end) whose bit, exclusive-ored with `inverted`, is set; end if there is none. `Bits`: a pointer to the
+/// words, or a LineMask.
+template <typename Bits>
+std::uint32_t next_bit(const Bits& bits, std::uint32_t at, std::uint32_t end, std::uint64_t inverted) {
     std::uint64_t word = (bits[at / word_bits] ^ inverted) >> (at % word_bits);
     if (word != 0) return std::min(end, at + static_cast<std::uint32_t>(std::countr_zero(word)));
     for (at = (at / word_bits + 1) * word_bits; at < end; at += word_bits) {
@@ -37,27 +46,13 @@ inline std::uint32_t next_bit(const std::uint64_t* bits, std::uint32_t at, std::
     return end;
 }
 
-inline std::uint32_t next_set(const std::uint64_t* bits, std::uint32_t at, std::uint32_t end) {
+template <typename Bits>
+std::uint32_t next_set(const Bits& bits, std::uint32_t at, std::uint32_t end) {
     return next_bit(bits, at, end, 0);
 }
-inline std::uint32_t next_clear(const std::uint64_t* bits, std::uint32_t at, std::uint32_t end) {
+template <typename Bits>
+std::uint32_t next_clear(const Bits& bits, std::uint32_t at, std::uint32_t end) {
     return next_bit(bits, at, end, ~std::uint64_t{0});
-}
-
-/// Clears the bits of [begin, end), begin < end.
-inline void clear_bits(std::uint64_t* bits, std::uint32_t begin, std::uint32_t end) {
-    const std::uint32_t first = begin / word_bits;
-    const std::uint32_t last = (end - 1) / word_bits;
-    const std::uint64_t from = ~std::uint64_t{0} << (begin % word_bits);
-    const std::uint64_t to = ~std::uint64_t{0} >> (word_bits - 1 - (end - 1) % word_bits);
-    if (first == last) {
-        bits[first] &= ~(from & to);
-        return;
-    }
-    bits[first] &= ~from;
-    for (std::uint32_t word = first + 1; word < last; ++word)
-        bits[word] = 0;
-    bits[last] &= ~to;
 }
 
 /// The bits of a word that lie in [begin, end), which reaches into it.
@@ -74,7 +69,8 @@ inline void set_bits(std::uint64_t* bits, std::uint32_t begin, std::uint32_t end
         bits[word] |= bits_between(word, begin, end);
 }
 
-inline bool is_set(const std::uint64_t* bits, std::uint32_t at) {
+template <typename Bits>
+bool is_set(const Bits& bits, std::uint32_t at) {
     return (bits[at / word_bits] >> (at % word_bits) & 1U) != 0;
 }
 

@@ -25,7 +25,7 @@ public:
              std::span<const SplatPixel> splats) {
         open_all();
         for (std::size_t k = 0; k < ranks.size(); ++k) {
-            k += take_small(ranks.subspan(k), lights);
+            k += take_opaque(ranks.subspan(k), lights);
             if (k == ranks.size()) break;
             const std::uint32_t rank = ranks[k];
             fetch_ahead(edges_, ranks.subspan(k), smoothing_);
@@ -34,11 +34,14 @@ public:
             if (band_.open_lines == 0) break; // whatever comes now is behind
             face_ = &edges_.faces[rank];
             rank_ = rank;
+            const std::size_t before = out_.segments.size();
             if (smoothing_) {
                 put_by_area();
             } else {
                 put_by_centres();
             }
+            if (const std::size_t now = out_.segments.size(); now != before)
+                out_.faces.push_back({rank, static_cast<std::uint32_t>(now)});
         }
         for (const BandLight& light : lights)
             put_light(light, splats);
@@ -46,23 +49,23 @@ public:
     }
 
 private:
-    /// Takes the small faces that come first, up to the next light; how many they are.
-    std::size_t take_small(std::span<const std::uint32_t> ranks, std::span<const BandLight> lights) {
+    /// Takes the opaque faces that come first, up to the next light; how many they are.
+    std::size_t take_opaque(std::span<const std::uint32_t> ranks, std::span<const BandLight> lights) {
         if (smoothing_ || sharing_) return 0;
         if (!lights.empty()) {
             const auto next = std::ranges::lower_bound(ranks, lights.front().rank);
             ranks = ranks.first(static_cast<std::size_t>(next - ranks.begin()));
         }
-        return take_small_faces(edges_, ranks, band_, out_.segments);
+        return take_opaque_faces(edges_, ranks, band_, out_);
     }
 
     void open_all() {
         const auto lines = static_cast<std::size_t>(end_line_ - first_line_);
         band_.first_line = first_line_;
         band_.end_line = end_line_;
-        band_.elements = elements_;
-        band_.stride = words_ + 1;
-        band_.open.assign((band_lines + lines_behind) * band_.stride, ~std::uint64_t{0});
+        OpenWords all_open;
+        all_open.of_line.fill(~std::uint64_t{0});
+        band_.open.assign(words_ + 1, all_open);
         out_.words = words_;
         out_.shared.assign(lines * words_ + 1, 0); // a spare word (narrow_lines.h)
         const std::size_t pixels = std::size_t{band_lines} * static_cast<std::size_t>(elements_) +
@@ -70,9 +73,10 @@ private:
         if (scratch_.left.size() < pixels) scratch_.left.resize(pixels, whole_pixel);
         const std::uint32_t beyond = words_ * word_bits - static_cast<std::uint32_t>(elements_);
         for (std::size_t line = 0; line < lines && beyond > 0; ++line) {
-            open_of(line)[words_ - 1] >>= beyond;
+            band_.line(line)[words_ - 1] >>= beyond;
         }
         band_.count.fill(static_cast<std::uint64_t>(elements_));
+        out_.on_line.fill(0);
         band_.open_lines = static_cast<std::uint32_t>(lines);
     }
 
@@ -80,7 +84,7 @@ private:
     void put_light(const BandLight& light, std::span<const SplatPixel> splats) {
         for (const SplatPixel& splat : splats.subspan(light.first_pixel, light.pixel_count)) {
             const auto line = static_cast<std::size_t>(splat.line - first_line_);
-            if (!is_set(open_of(line), splat.element)) continue;
+            if (!is_set(band_.line(line), splat.element)) continue;
             const std::uint64_t weight =
                 std::uint64_t{splat.weight} * left_of(line)[splat.element] / whole_pixel;
             if (weight != 0)
@@ -141,7 +145,7 @@ private:
                 sharing_ = true;
                 lose(l, put_narrow_line(
                             scratch_.traced, rank_,
-                            {open_of(l), out_.shared.data() + l * words_, left_of(l), line_number(l)}, out_));
+                            {band_.line(l), out_.shared.data() + l * words_, left_of(l), line_number(l)}, out_));
                 continue;
             }
             cover_line(scratch_.traced, elements_, scratch_.coverage);
@@ -152,7 +156,7 @@ private:
     bool any_open(std::size_t line, std::int32_t begin, std::int32_t end) {
         if (begin >= end) return false;
         const auto stop = static_cast<std::uint32_t>(end);
-        return next_set(open_of(line), static_cast<std::uint32_t>(begin), stop) < stop;
+        return next_set(band_.line(line), static_cast<std::uint32_t>(begin), stop) < stop;
     }
 
     void put_covered(std::size_t line) {
@@ -178,7 +182,7 @@ private:
     /// All that is left of [begin, end): segments where nobody else has a share, the rest of the pixels where others do.
     void take(std::size_t line, std::uint32_t begin, std::uint32_t end) {
         if (band_.count[line] == 0) return;
-        std::uint64_t* open = open_of(line);
+        const LineMask open = band_.line(line);
         const std::uint64_t* shared = out_.shared.data() + line * words_;
         if (const std::uint32_t word = begin / word_bits; word == (end - 1) / word_bits) {
             const std::uint64_t mine = open[word] & bits_between(word, begin, end);
@@ -231,8 +235,9 @@ private:
 
     std::uint32_t put_segment(std::size_t line, std::uint32_t begin, std::uint32_t end) {
         if (begin == end) return 0;
-        out_.segments.push_back({rank_, line_number(line), static_cast<std::uint16_t>(begin),
-                                 static_cast<std::uint16_t>(end - begin)});
+        out_.segments.push_back(
+            {line_number(line), static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(end - begin)});
+        ++out_.on_line[line];
         return end - begin;
     }
 
@@ -253,7 +258,7 @@ private:
     /// Shares of the open elements of [begin, end), of which the face covers these areas. New coverage is at most what
     /// is left: neighbours of a mesh fill a pixel exactly.
     void share(std::size_t line, std::uint32_t begin, std::uint32_t end, const std::int32_t* areas) {
-        const std::uint64_t* open = open_of(line);
+        const LineMask open = band_.line(line);
         for (std::uint32_t at = next_set(open, begin, end); at < end;) {
             const std::uint32_t stop = next_clear(open, at, end);
             share_open(line, at, stop, areas + (at - begin));
@@ -342,7 +347,7 @@ private:
     }
 
     void close(std::size_t line, std::uint32_t element) {
-        open_of(line)[element / word_bits] ^= std::uint64_t{1} << (element % word_bits);
+        band_.line(line)[element / word_bits] ^= std::uint64_t{1} << (element % word_bits);
         lose(line, 1);
     }
 
@@ -350,8 +355,6 @@ private:
         out_.shares.push_back({rank_, static_cast<std::uint32_t>(out_.weights.size()), line_number(line),
                                static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(count)});
     }
-
-    std::uint64_t* open_of(std::size_t line) { return band_.open.data() + line * band_.stride; }
 
     std::uint32_t* left_of(std::size_t line) {
         return scratch_.left.data() + line * static_cast<std::size_t>(elements_);
@@ -366,7 +369,7 @@ private:
         rank_ = background_rank;
         for (std::int32_t number = 0; number < end_line_ - first_line_ && band_.open_lines != 0; ++number) {
             const auto line = static_cast<std::size_t>(number);
-            std::uint64_t* open = open_of(line);
+            const LineMask open = band_.line(line);
             const std::uint64_t* shared = out_.shared.data() + line * words_;
             for (std::uint32_t word = 0; word < words_; ++word) {
                 if (const std::uint64_t rests = open[word] & shared[word]; rests != 0)
@@ -375,8 +378,8 @@ private:
             }
             for (std::uint32_t at = next_set(open, 0, end); at < end;) {
                 const std::uint32_t stop = next_clear(open, at, end);
-                out_.background.push_back({background_rank, line_number(line), static_cast<std::uint16_t>(at),
-                                           static_cast<std::uint16_t>(stop - at)});
+                out_.background.push_back(
+                    {line_number(line), static_cast<std::uint16_t>(at), static_cast<std::uint16_t>(stop - at)});
                 at = stop < end ? next_set(open, stop, end) : end;
             }
         }
@@ -427,6 +430,7 @@ void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks, 
 void resolve_band(const FaceEdges& edges, std::span<const std::uint32_t> ranks,
                   std::span<const BandLight> lights, std::span<const SplatPixel> splats,
                   std::uint32_t elements, bool smoothing, BandScratch& scratch, BandSegments& segments) {
+    segments.faces.clear();
     segments.segments.clear();
     segments.background.clear();
     segments.shares.clear();

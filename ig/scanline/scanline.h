@@ -7,8 +7,8 @@
 #include "ig/edges/edge.h"
 #include "ig/lights/splat.h"
 #include "ig/scanline/coverage.h"
+#include "ig/scanline/opaque_faces.h"
 #include "ig/scanline/segment.h"
-#include "ig/scanline/small_faces.h"
 
 #include <array>
 #include <span>

@@ -220,8 +220,7 @@ private:
         for (; shared != 0; shared &= shared - 1) {
             const std::uint32_t element = first + static_cast<std::uint32_t>(std::countr_zero(shared));
             PixelTale& tale = sums_.tales[place(line, element)];
-            const Segment one{tale.rank, static_cast<std::uint16_t>(line),
-                              static_cast<std::uint16_t>(element), 1};
+            const Segment one{static_cast<std::uint16_t>(line), static_cast<std::uint16_t>(element), 1};
             fill_plane(raster_, one, static_cast<std::int32_t>(tale.rank), frame.rank);
             fill_plane(raster_, one, tale.intensity, frame.intensity);
             tale = {};

@@ -85,9 +85,8 @@ void plane_colours(const Raster& raster, const IntensityPlane* planes, const Seg
 }
 
 /// The runs of one face.
-void draw_face(const VideoInput& input, const Raster& raster, std::span<const Segment> runs,
-               const BandPixels& pixels, VideoFrame& frame) {
-    const std::uint32_t rank = runs.front().face;
+void draw_face(const VideoInput& input, const Raster& raster, std::uint32_t rank,
+               std::span<const Segment> runs, const BandPixels& pixels, VideoFrame& frame) {
     const ProjectedFace& face = input.projected->faces[rank];
     const EdgeFace& edges = input.edges->faces[rank];
     const IntensityPlane* planes = input.edges->planes.data() + std::max(edges.plane, 0);
@@ -104,23 +103,15 @@ void draw_face(const VideoInput& input, const Raster& raster, std::span<const Se
     }
 }
 
-/// Asks for the faces that are soon needed, their planes when they are there.
-LINKDIG_ALWAYS_INLINE void fetch_ahead(const VideoInput& input, std::span<const Segment> runs) {
-    constexpr std::size_t faces_ahead = 64, planes_ahead = 24;
-    if (runs.size() > faces_ahead) {
-        prefetch(&input.projected->faces[runs[faces_ahead].face]);
-        prefetch(&input.edges->faces[runs[faces_ahead].face]);
+/// Asks for faces that are soon needed, their planes when they are there. `faces`: those that are still to come.
+LINKDIG_ALWAYS_INLINE void fetch_ahead(const VideoInput& input, std::span<const FaceSegments> faces) {
+    constexpr std::size_t faces_ahead = 16, planes_ahead = 6;
+    if (faces.size() > faces_ahead) {
+        prefetch(&input.projected->faces[faces[faces_ahead].face]);
+        prefetch(&input.edges->faces[faces[faces_ahead].face]);
     }
-    if (runs.size() > planes_ahead)
-        prefetch(input.edges->planes.data() + std::max(input.edges->faces[runs[planes_ahead].face].plane, 0));
-}
-
-/// The runs that follow each other and are of one face.
-std::span<const Segment> first_face(std::span<const Segment> runs) {
-    std::size_t count = 1;
-    while (count < runs.size() && runs[count].face == runs.front().face)
-        ++count;
-    return runs.first(count);
+    if (faces.size() > planes_ahead)
+        prefetch(input.edges->planes.data() + std::max(input.edges->faces[faces[planes_ahead].face].plane, 0));
 }
 
 } // namespace
@@ -137,11 +128,13 @@ void open_frame(const Raster& raster, bool intensity, bool rank, VideoFrame& fra
 void draw_band(const VideoInput& input, const Raster& raster, const BandSegments& band, VideoScratch& scratch,
                VideoFrame& frame) {
     const BeamBuffer beam(raster, band, scratch.lines, frame);
-    for (std::span<const Segment> left = band.segments; !left.empty();) {
-        const std::span<const Segment> runs = first_face(left);
-        fetch_ahead(input, left);
-        draw_face(input, raster, runs, beam.pixels(), frame);
-        left = left.subspan(runs.size());
+    const std::span<const FaceSegments> faces = band.faces;
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        fetch_ahead(input, faces.subspan(k));
+        draw_face(input, raster, faces[k].face, {band.segments.data() + first, faces[k].end - first},
+                  beam.pixels(), frame);
+        first = faces[k].end;
     }
     for (const Segment& segment : band.background) {
         std::fill_n(beam.pixels().at(segment), segment.count, shade(input.background, intensity_one));

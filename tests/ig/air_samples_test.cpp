@@ -49,7 +49,7 @@ TEST(AirSamples, StraightBetweenThemIsAtMostAThirdOfALevelOff) {
             for (const double along : {-0.999, -0.9, -0.3, 0.0, 0.5, 1.5, 2.7, 4.0, 6.5, 100.0}) {
                 const DepthPlane depth = plane_of(1.0 / range_m, along, 0.1);
                 const std::vector<Segment> runs{
-                    {0, 0, 0, side}, {0, 500, 3, 20}, {0, 1023, 500, 77}, {0, 7, 900, 124}};
+                    {0, 0, side}, {500, 3, 20}, {1023, 500, 77}, {7, 900, 124}};
                 ASSERT_EQ(samples->plan(runs, depth, air), runs.size());
                 samples->work_out();
                 for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -69,7 +69,7 @@ TEST(AirSamples, StraightBetweenThemIsAtMostAThirdOfALevelOff) {
 TEST(AirSamples, RunsThatReachTheHorizonOrAreShortAreTakenPixelByPixel) {
     const auto samples = std::make_unique<AirSamples>();
     const Air air = air_of(5000.0);
-    const std::vector<Segment> runs{{0, 0, 0, side}, {0, 1, 0, 400}, {0, 2, 0, 16}};
+    const std::vector<Segment> runs{{0, 0, side}, {1, 0, 400}, {2, 0, 16}};
     ASSERT_EQ(samples->plan(runs, plane_of(1.0 / 300.0, -1.01), air), runs.size());
     EXPECT_FALSE(samples->of_run[0].straight());
     EXPECT_TRUE(samples->of_run[1].straight());
@@ -80,9 +80,9 @@ TEST(AirSamples, MoreRunsThanThereIsRoomForComeInTurns) {
     const auto samples = std::make_unique<AirSamples>();
     const Air air = air_of(5000.0);
     const DepthPlane depth = plane_of(1.0 / 300.0, 0.1);
-    const std::vector<Segment> many(AirSamples::most_runs + 5, Segment{0, 0, 0, 32});
+    const std::vector<Segment> many(AirSamples::most_runs + 5, Segment{0, 0, 32});
     EXPECT_EQ(samples->plan(many, depth, air), AirSamples::most_runs);
-    const std::vector<Segment> wide(AirSamples::most_runs, Segment{0, 0, 0, side});
+    const std::vector<Segment> wide(AirSamples::most_runs, Segment{0, 0, side});
     const std::size_t planned = samples->plan(wide, depth, air);
     EXPECT_GT(planned, 1U);
     EXPECT_LT(planned, wide.size());
