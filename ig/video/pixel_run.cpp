@@ -36,6 +36,11 @@ void shade_plainly(const IntensityPlane& plane, Colour colour, std::span<const S
     });
 }
 
+void fill_plainly(std::uint32_t pixel, std::span<const Segment> runs, const BandPixels& pixels) {
+    for (const Segment& run : runs)
+        std::fill_n(pixels.at(run), run.count, pixel);
+}
+
 void shade_plainly_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission,
                            Colour horizon, std::span<const Segment> runs, const BandPixels& pixels) {
     shade_one_by_one(plane, runs, pixels, [&](std::int32_t, std::int32_t, std::int32_t intensity) {
@@ -92,15 +97,25 @@ HWY_INLINE hn::Vec<I16> BothHalves(hn::Vec<I32> factor) {
     return hn::BitCast(I16(), hn::Or(factor, hn::ShiftLeft<16>(factor)));
 }
 
+/// The upper 16 bits of each lane in both halves.
+HWY_INLINE hn::Vec<I16> UpperHalfTwice(hn::Vec<I32> v) {
+    const auto bytes = hn::Set(I32(), 0x03020302); // of each lane; the lanes' own places are added
+    const auto places = hn::Mul(hn::And(hn::Iota(I32(), 0), hn::Set(I32(), 3)), hn::Set(I32(), 0x04040404));
+    return hn::BitCast(I16(), hn::TableLookupBytes(v, hn::Add(bytes, places)));
+}
+
 HWY_INLINE hn::Vec<I16> Pair(int low, int high) {
     return hn::BitCast(I16(), hn::Set(I32(), low | high << 16));
 }
 
-/// Intensities of consecutive pixels of a face, clamped to the corners' range, with 15 bits.
+/// Of an intensity (1.0 = 2^22): what is above brightest_shown counts as that, 32767 with 15 bits.
+constexpr std::int32_t brightest_shown = (32767 << 7) + 127;
+
+/// Intensities of consecutive pixels of a face, clamped to the corners' range, with 15 bits in both halves.
 struct Intensities {
     HWY_INLINE explicit Intensities(const IntensityPlane& plane)
-        : plane_(plane), least(hn::Set(I32(), plane.least)), greatest(hn::Set(I32(), plane.greatest)),
-          one(hn::Set(I32(), 32767)),
+        : plane_(plane), least(hn::Set(I32(), std::min(plane.least, brightest_shown))),
+          greatest(hn::Set(I32(), std::min(plane.greatest, brightest_shown))),
           step(hn::Set(
               I32(), static_cast<std::int32_t>(plane.along * static_cast<std::uint32_t>(hn::Lanes(I32()))))),
           ramp(hn::Mul(hn::Iota(I32(), 0), hn::Set(I32(), static_cast<std::int32_t>(plane.along)))),
@@ -108,30 +123,30 @@ struct Intensities {
     HWY_INLINE void Begin(std::int32_t line, std::int32_t element) {
         at = hn::Add(hn::Set(I32(), static_cast<std::int32_t>(value_at(plane_, line, element))), ramp);
     }
-    HWY_INLINE hn::Vec<I32> Next() {
+    HWY_INLINE hn::Vec<I16> Next() {
         const auto clamped = hn::Max(least, hn::Min(at, greatest));
         at = hn::Add(at, step);
-        return hn::Min(hn::ShiftRight<7>(clamped), one);
+        return UpperHalfTwice(hn::ShiftLeft<9>(clamped));
     }
     const IntensityPlane& plane_;
-    hn::Vec<I32> least, greatest, one, step, ramp, at;
+    hn::Vec<I32> least, greatest, step, ramp, at;
 };
 
 /// The same of a face whose corners are equally bright.
 struct LevelIntensity {
     HWY_INLINE explicit LevelIntensity(const IntensityPlane& plane)
-        : level(hn::Set(I32(), std::min(plane.least >> 7, 32767))) {}
+        : level(BothHalves(hn::Set(I32(), std::min(plane.least, brightest_shown) >> 7))) {}
     HWY_INLINE void Begin(std::int32_t /*line*/, std::int32_t /*element*/) {}
-    HWY_INLINE hn::Vec<I32> Next() const { return level; }
-    hn::Vec<I32> level;
+    HWY_INLINE hn::Vec<I16> Next() const { return level; }
+    hn::Vec<I16> level;
 };
 
+/// Pixels of levels: red in the lower halves of the one and green in its upper, blue in the upper halves of the other.
 HWY_INLINE hn::Vec<U32> Packed(hn::Vec<I16> red_green, hn::Vec<I16> blue) {
     const U32 d;
     const auto rg = hn::BitCast(d, red_green);
-    const auto b = hn::BitCast(d, blue);
     const auto rg_packed = hn::And(hn::Or(rg, hn::ShiftRight<8>(rg)), hn::Set(d, 0xffffU));
-    return hn::Or(hn::Or(rg_packed, hn::ShiftLeft<16>(b)), hn::Set(d, 0xff000000U));
+    return hn::Or(hn::Or(rg_packed, hn::BitCast(d, blue)), hn::Set(d, 0xff000000U));
 }
 
 /// Fills `count` pixels with what `next` makes, a vector at a time; nothing is written behind the last.
@@ -145,18 +160,26 @@ HWY_INLINE void FillRun(std::uint32_t* HWY_RESTRICT pixels, std::size_t count, N
     if (k < count) hn::BlendedStore(next(k), hn::FirstN(d, count - k), d, pixels + k);
 }
 
+/// Runs of this many pixels are worth a start that makes the rest of their vectors lie in one line of the cache each.
+constexpr std::size_t long_run = 96;
+
+/// Elements from `pixel` to the next that a vector may be aligned to; a whole vector if it stands there.
+HWY_INLINE std::uint32_t ToAligned(const std::uint32_t* pixel) {
+    const auto lanes = static_cast<std::uint32_t>(hn::Lanes(U32()));
+    return lanes - static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(pixel) / sizeof(*pixel)) % lanes;
+}
+
 /// As shade_through_air() for each lane.
 struct AirMixer {
     HWY_INLINE AirMixer(Colour colour, Colour horizon)
-        : rg(Pair(colour.red << 7, colour.green << 7)), b(Pair(colour.blue << 7, 0)),
-          horizon_rg(Pair(horizon.red << 7, horizon.green << 7)), horizon_b(Pair(horizon.blue << 7, 0)),
+        : rg(Pair(colour.red << 7, colour.green << 7)), b(Pair(0, colour.blue << 7)),
+          horizon_rg(Pair(horizon.red << 7, horizon.green << 7)), horizon_b(Pair(0, horizon.blue << 7)),
           half_level(hn::Set(I16(), 64)) {}
     HWY_INLINE hn::Vec<I16> Mix(hn::Vec<I16> face, hn::Vec<I16> air, hn::Vec<I16> i, hn::Vec<I16> t) const {
         const auto left = hn::MulFixedPoint15(hn::Sub(hn::MulFixedPoint15(face, i), air), t);
         return hn::ShiftRight<7>(hn::Add(left, hn::Add(air, half_level)));
     }
-    HWY_INLINE hn::Vec<U32> Seen(hn::Vec<I32> intensity, hn::Vec<I16> t) const {
-        const auto i = BothHalves(intensity);
+    HWY_INLINE hn::Vec<U32> Seen(hn::Vec<I16> i, hn::Vec<I16> t) const {
         return Packed(Mix(rg, horizon_rg, i, t), Mix(b, horizon_b, i, t));
     }
     hn::Vec<I16> rg, b, horizon_rg, horizon_b, half_level;
@@ -224,14 +247,37 @@ struct StraightTransmissions {
 void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, std::size_t runs,
                const BandPixels& pixels) {
     const auto red_green = Pair(colour.red, colour.green);
-    const auto blue = Pair(colour.blue, 0);
+    const auto blue = Pair(0, colour.blue);
     Intensities intensities(plane);
+    const auto next = [&](std::size_t) HWY_ATTR {
+        const auto i = intensities.Next();
+        return Packed(hn::MulFixedPoint15(i, red_green), hn::MulFixedPoint15(i, blue));
+    };
     for (const Segment* end = run + runs; run != end; ++run) {
+        std::uint32_t first = run->first, count = run->count;
+        std::uint32_t* pixel = pixels.at(*run);
         intensities.Begin(run->line, run->first);
-        FillRun(pixels.at(*run), run->count, [&](std::size_t) HWY_ATTR {
-            const auto i = BothHalves(intensities.Next());
-            return Packed(hn::MulFixedPoint15(i, red_green), hn::MulFixedPoint15(i, blue));
-        });
+        if (count >= long_run) {
+            hn::StoreU(next(0), U32(), pixel);
+            const std::uint32_t more = ToAligned(pixel);
+            pixel += more, first += more, count -= more;
+            intensities.Begin(run->line, static_cast<std::int32_t>(first));
+        }
+        FillRun(pixel, count, next);
+    }
+}
+
+void FillRuns(std::uint32_t value, const Segment* run, std::size_t runs, const BandPixels& pixels) {
+    const auto next = [value](std::size_t) HWY_ATTR { return hn::Set(U32(), value); };
+    for (const Segment* end = run + runs; run != end; ++run) {
+        std::uint32_t* pixel = pixels.at(*run);
+        std::uint32_t count = run->count;
+        if (count >= long_run) {
+            hn::StoreU(next(0), U32(), pixel);
+            const std::uint32_t more = ToAligned(pixel);
+            pixel += more, count -= more;
+        }
+        FillRun(pixel, count, next);
     }
 }
 
@@ -301,6 +347,9 @@ void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, s
                const BandPixels& pixels) {
     shade_plainly(plane, colour, {run, runs}, pixels);
 }
+void FillRuns(std::uint32_t value, const Segment* run, std::size_t runs, const BandPixels& pixels) {
+    fill_plainly(value, {run, runs}, pixels);
+}
 void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
                      const Segment* run, std::size_t runs, const BandPixels& pixels) {
     shade_plainly_in_haze(plane, colour, transmission, horizon, {run, runs}, pixels);
@@ -322,6 +371,7 @@ namespace linkdig::ig {
 namespace {
 
 HWY_EXPORT(ShadeRuns);
+HWY_EXPORT(FillRuns);
 HWY_EXPORT(ShadeRunsInHaze);
 HWY_EXPORT(ShadeRunsInAir);
 
@@ -333,6 +383,14 @@ void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segm
         shade_plainly(plane, colour, runs, pixels);
     } else {
         HWY_DYNAMIC_DISPATCH(ShadeRuns)(plane, colour, runs.data(), runs.size(), pixels);
+    }
+}
+
+void fill_runs(std::uint32_t pixel, std::span<const Segment> runs, const BandPixels& pixels) {
+    if (simd_is_off()) {
+        fill_plainly(pixel, runs, pixels);
+    } else {
+        HWY_DYNAMIC_DISPATCH(FillRuns)(pixel, runs.data(), runs.size(), pixels);
     }
 }
 

@@ -43,6 +43,9 @@ struct BandPixels {
 void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segment> runs,
                 const BandPixels& pixels);
 
+/// Gives all pixels of the runs this value.
+void fill_runs(std::uint32_t pixel, std::span<const Segment> runs, const BandPixels& pixels);
+
 /// A colour before it is rounded to levels: components with 7 fraction bits, 0 to 255 * 128.
 struct Components {
     std::uint32_t red = 0, green = 0, blue = 0;

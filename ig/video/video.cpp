@@ -26,11 +26,6 @@ IntensityPlane level_plane(std::int32_t intensity) {
     return {.value = static_cast<std::uint32_t>(intensity), .least = intensity, .greatest = intensity};
 }
 
-void fill_runs(std::uint32_t pixel, std::span<const Segment> runs, const BandPixels& pixels) {
-    for (const Segment& run : runs)
-        std::fill_n(pixels.at(run), run.count, pixel);
-}
-
 /// Runs of one face with one colour code.
 void draw_runs(const VideoInput& input, const ProjectedFace& face, const IntensityPlane& intensity,
                std::span<const Segment> runs, const BandPixels& pixels) {
@@ -91,7 +86,10 @@ void draw_face(const VideoInput& input, const Raster& raster, std::uint32_t rank
     const EdgeFace& edges = input.edges->faces[rank];
     const IntensityPlane* planes = input.edges->planes.data() + std::max(edges.plane, 0);
     const IntensityPlane intensity = edges.plane >= 0 ? *planes : level_plane(face.intensity);
-    if (!edges.coloured) draw_runs(input, face, intensity, runs, pixels);
+    if (!edges.coloured) {
+        draw_runs(input, face, intensity, runs, pixels);
+        if (frame.rank.empty() && frame.intensity.empty()) return;
+    }
     for (const Segment& run : runs) {
         fill_plane(raster, run, static_cast<std::int32_t>(rank), frame.rank);
         if (edges.coloured) {
@@ -136,8 +134,8 @@ void draw_band(const VideoInput& input, const Raster& raster, const BandSegments
                   beam.pixels(), frame);
         first = faces[k].end;
     }
+    fill_runs(shade(input.background, intensity_one), band.background, beam.pixels());
     for (const Segment& segment : band.background) {
-        std::fill_n(beam.pixels().at(segment), segment.count, shade(input.background, intensity_one));
         fill_plane(raster, segment, std::int32_t{none}, frame.intensity);
         fill_plane(raster, segment, std::int32_t{none}, frame.rank);
     }
