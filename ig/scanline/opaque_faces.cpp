@@ -106,17 +106,29 @@ public:
         : open_(band.open.data()), first_(first), next_(next), taken_(hn::Zero(U64())), segments_(taken_),
           numbers_(hn::BitCast(U64(), From(band.first_line + static_cast<std::int64_t>(first)))) {}
 
-    /// Its elements that lie in one word.
-    HWY_INLINE void TakeWord(V begin, V end, std::size_t word) {
+    /// What is open of the window of 64 elements that begins at this one.
+    HWY_INLINE W Window(std::uint32_t element) const {
         const U64 d;
-        const auto at = hn::Set(d, word * word_bits);
-        for (W mine = Take(begin, end, word); !Nothing(mine);) {
-            W first, count;
-            hn::Mask<U64> inside;
-            const auto there = hn::Ne(mine, hn::Zero(d));
-            mine = LowestRun(mine, first, count, inside);
-            Put(there, hn::Add(at, first), count);
-        }
+        const std::uint64_t* const open = open_[element / word_bits].of_line.data() + first_;
+        const auto here = hn::ShiftRightSame(hn::Load(d, open), static_cast<int>(element % word_bits));
+        const auto next = hn::Load(d, open + band_lines);
+        return hn::Or(here, hn::ShiftLeft<1>(hn::ShiftLeftSame(next, static_cast<int>(63 - element % word_bits))));
+    }
+
+    /// Its elements that lie in a window, of which `before` is open.
+    HWY_INLINE void TakeWindow(V begin, V end, std::uint32_t element, W before) {
+        const U64 d;
+        const auto at = hn::Set(I64(), element);
+        W mine = hn::And(before, hn::AndNot(BitsFrom(end, at), BitsFrom(begin, at)));
+        taken_ = hn::PopulationCount(mine);
+        std::uint64_t* const open = open_[element / word_bits].of_line.data() + first_;
+        const auto here = hn::ShiftLeftSame(mine, static_cast<int>(element % word_bits));
+        const auto next = hn::ShiftRightSame(hn::ShiftRight<1>(mine), static_cast<int>(63 - element % word_bits));
+        hn::Store(hn::Xor(hn::Load(d, open), here), d, open);
+        hn::Store(hn::Xor(hn::Load(d, open + band_lines), next), d, open + band_lines);
+        do {
+            mine = PutLowest(mine, hn::BitCast(d, at));
+        } while (!Nothing(mine));
     }
 
     /// Its elements of several words: a run that reaches the end of a word goes on in the next.
@@ -164,6 +176,16 @@ public:
     }
 
 private:
+    /// Puts out the lowest run of each line; what is left without it.
+    HWY_INLINE W PutLowest(W mine, W at) {
+        W first, count;
+        hn::Mask<U64> inside;
+        const auto there = hn::Ne(mine, hn::Zero(U64()));
+        const auto rest = LowestRun(mine, first, count, inside);
+        Put(there, hn::Add(at, first), count);
+        return rest;
+    }
+
     HWY_INLINE W Take(V begin, V end, std::size_t word) {
         const U64 d;
         std::uint64_t* const open = open_[word].of_line.data() + first_;
@@ -191,28 +213,58 @@ private:
     W taken_, segments_, numbers_;
 };
 
-/// Takes the face's lines of the band; returns the end of its segments.
-HWY_INLINE Segment* TakeFace(const EdgeFace& face, const Edge* edges, OpenBand& band, BandSegments& out,
-                             Segment* next) {
+/// The lines of the band, [from, to), that a face touches.
+struct LineRange {
+    std::size_t from = 0;
+    std::size_t to = 0;
+};
+
+/// Takes the lines of a face whose elements all lie in a window of 64; returns the end of its segments.
+HWY_INLINE Segment* TakeNarrow(const EdgeFace& face, const Edge* edges, const LineRange& range,
+                               OpenBand& band, BandSegments& out, Segment* next) {
     const I64 d;
-    const std::size_t lanes = hn::Lanes(d);
-    if (face.first_element >= face.end_element) return next;
-    const auto word = static_cast<std::size_t>(face.first_element) / word_bits;
-    const auto last = static_cast<std::size_t>(face.end_element - 1) / word_bits;
-    const auto from = static_cast<std::size_t>(std::max(face.first_line, band.first_line) - band.first_line);
-    const auto to = static_cast<std::size_t>(std::min(face.end_line, band.end_line) - band.first_line);
-    for (std::size_t line = from / lanes * lanes; line < to; line += lanes) {
+    const auto element = static_cast<std::uint32_t>(face.first_element);
+    const auto width = static_cast<std::uint32_t>(face.end_element) - element;
+    const auto reach = hn::Set(U64(), ~std::uint64_t{0} >> (word_bits - width));
+    for (std::size_t line = range.from; line < range.to; line += hn::Lanes(d)) {
+        Lines lines(band, line, next);
+        const auto before = hn::And(lines.Window(element), reach);
+        if (Nothing(before)) continue;
         V begin, end;
         Cross(face, edges, From(band.first_line + static_cast<std::int64_t>(line)), begin, end);
-        Lines lines(band, line, next);
-        if (word == last) {
-            lines.TakeWord(begin, end, word);
-        } else {
-            lines.TakeWords(begin, end, word, last);
-        }
+        lines.TakeWindow(begin, end, element, before);
         next = lines.Settle(band, line, out);
     }
     return next;
+}
+
+/// The same of any face.
+HWY_INLINE Segment* TakeWide(const EdgeFace& face, const Edge* edges, const LineRange& range, OpenBand& band,
+                             BandSegments& out, Segment* next) {
+    const I64 d;
+    const auto word = static_cast<std::size_t>(face.first_element) / word_bits;
+    const auto last = static_cast<std::size_t>(face.end_element - 1) / word_bits;
+    for (std::size_t line = range.from; line < range.to; line += hn::Lanes(d)) {
+        V begin, end;
+        Cross(face, edges, From(band.first_line + static_cast<std::int64_t>(line)), begin, end);
+        Lines lines(band, line, next);
+        lines.TakeWords(begin, end, word, last);
+        next = lines.Settle(band, line, out);
+    }
+    return next;
+}
+
+/// Takes the face's lines of the band, whole vectors of them; returns the end of its segments.
+HWY_INLINE Segment* TakeFace(const EdgeFace& face, const Edge* edges, OpenBand& band, BandSegments& out,
+                             Segment* next) {
+    if (face.first_element >= face.end_element) return next;
+    const std::size_t lanes = hn::Lanes(I64());
+    const auto from = static_cast<std::size_t>(std::max(face.first_line, band.first_line) - band.first_line);
+    const auto to = static_cast<std::size_t>(std::min(face.end_line, band.end_line) - band.first_line);
+    const LineRange range{from / lanes * lanes, to};
+    return face.end_element - face.first_element <= static_cast<std::int32_t>(word_bits)
+               ? TakeNarrow(face, edges, range, band, out, next)
+               : TakeWide(face, edges, range, band, out, next);
 }
 
 std::size_t TakeOpaqueFaces(const FaceEdges& edges, std::span<const std::uint32_t> ranks, OpenBand& band,
