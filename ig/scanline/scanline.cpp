@@ -2,11 +2,12 @@
 
 #include "ig/edges/edges.h"
 #include "ig/scanline/fetch_ahead.h"
-#include "ig/scanline/narrow_lines.h"
+#include "ig/scanline/smoothed_lines.h"
 #include "ig/scanline/open_mask.h"
 #include "ig/simd/simd_level.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace linkdig::ig {
 
@@ -67,7 +68,7 @@ private:
         all_open.of_line.fill(~std::uint64_t{0});
         band_.open.assign(words_ + 1, all_open);
         out_.words = words_;
-        out_.shared.assign(lines * words_ + 1, 0); // a spare word (narrow_lines.h)
+        out_.shared.assign(lines * words_ + 1, 0); // a spare word (smoothed_lines.h)
         const std::size_t pixels = std::size_t{band_lines} * static_cast<std::size_t>(elements_) +
                                    static_cast<std::size_t>(narrow_elements);
         if (scratch_.left.size() < pixels) scratch_.left.resize(pixels, whole_pixel);
@@ -131,26 +132,49 @@ private:
     }
 
     void put_by_area() {
-        const std::int32_t from = std::max(face_->first_line, first_line_);
-        const std::int32_t to = std::min(face_->end_line, end_line_);
+        const std::int32_t from = std::max(face_->first_line, first_line_) - first_line_;
+        const std::int32_t to = std::min(face_->end_line, end_line_) - first_line_;
+        if (from >= to) return;
+        if (!many_at_once_ || face_->blends || face_->outlines > most_outlines) {
+            for (std::int32_t line = from; line < to; ++line)
+                put_line_by_area(static_cast<std::size_t>(line));
+            return;
+        }
+        if (!any_open_in_box(static_cast<std::size_t>(from), static_cast<std::size_t>(to))) return;
+        sharing_ = true;
+        LinesLeft& left = scratch_.lines_left;
+        put_smoothed_lines(edges_, rank_, {&band_, out_.shared.data(), words_, scratch_.left.data(), elements_},
+                           out_, left);
+        for (std::uint32_t lines = left.wide; lines != 0; lines &= lines - 1)
+            put_line_by_area(static_cast<std::size_t>(std::countr_zero(lines)));
+        for (std::uint32_t lines = left.whole; lines != 0; lines &= lines - 1) {
+            const auto line = static_cast<std::size_t>(std::countr_zero(lines));
+            take(line, static_cast<std::uint32_t>(left.begin[line]), static_cast<std::uint32_t>(left.end[line]));
+        }
+    }
+
+    void put_line_by_area(std::size_t line) {
+        // Most lines of faces that others hide are closed wherever the face may reach.
+        if (band_.count[line] == 0 || !any_open(line, face_->first_element, face_->end_element)) return;
         const std::span<const OutlineEdge> outline(edges_.outlines.data() + face_->first_outline,
                                                    face_->outlines);
-        for (std::int32_t line = from; line < to; ++line) {
-            const auto l = static_cast<std::size_t>(line - first_line_);
-            // Most lines of faces that others hide are closed wherever the face may reach.
-            if (band_.count[l] == 0 || !any_open(l, face_->first_element, face_->end_element)) continue;
-            trace_line(outline, line, elements_, scratch_.traced);
-            if (!any_open(l, scratch_.traced.begin, scratch_.traced.end)) continue;
-            if (narrow_at_once_ && !face_->blends && is_narrow(scratch_.traced, elements_)) {
-                sharing_ = true;
-                lose(l, put_narrow_line(
-                            scratch_.traced, rank_,
-                            {band_.line(l), out_.shared.data() + l * words_, left_of(l), line_number(l)}, out_));
-                continue;
-            }
-            cover_line(scratch_.traced, elements_, scratch_.coverage);
-            put_covered(l);
+        trace_line(outline, first_line_ + static_cast<std::int32_t>(line), elements_, scratch_.traced);
+        if (!any_open(line, scratch_.traced.begin, scratch_.traced.end)) return;
+        cover_line(scratch_.traced, elements_, scratch_.coverage);
+        put_covered(line);
+    }
+
+    /// Is anything open in the face's box?
+    bool any_open_in_box(std::size_t from, std::size_t to) const {
+        const auto first = static_cast<std::uint32_t>(face_->first_element);
+        const auto end = static_cast<std::uint32_t>(face_->end_element);
+        for (std::uint32_t word = first / word_bits; word * word_bits < end; ++word) {
+            std::uint64_t open = 0;
+            for (std::size_t line = from; line < to; ++line)
+                open |= band_.open[word].of_line[line];
+            if ((open & bits_between(word, first, end)) != 0) return true;
         }
+        return false;
     }
 
     bool any_open(std::size_t line, std::int32_t begin, std::int32_t end) {
@@ -411,7 +435,7 @@ private:
     std::int32_t elements_;
     std::uint32_t words_;
     bool smoothing_;
-    bool narrow_at_once_ = !simd_is_off();
+    bool many_at_once_ = !simd_is_off();
     std::int32_t first_line_;
     std::int32_t end_line_;
     bool sharing_ = false; ///< some pixel has a share already

@@ -9,6 +9,7 @@
 #include "ig/scanline/coverage.h"
 #include "ig/scanline/opaque_faces.h"
 #include "ig/scanline/segment.h"
+#include "ig/scanline/smoothed_lines.h"
 
 #include <array>
 #include <span>
@@ -31,6 +32,7 @@ struct BandScratch {
     std::array<std::int32_t, band_lines> end{};
     OutlineLine traced;
     LineCoverage coverage;
+    LinesLeft lines_left; ///< likewise
 };
 
 /// Resolves the lines [segments.first_line, segments.end_line), at most band_lines, for the faces of these ranks. With

@@ -86,7 +86,7 @@ struct BandSegments {
     std::uint32_t words = 0;           ///< of 64 elements, per line
     std::vector<std::uint64_t> shared; ///< a bit per element: 1 = a shared pixel
     std::vector<ShareRun> shares;
-    std::vector<std::uint32_t> weights; ///< and weights_padding more
+    std::vector<std::uint32_t, Unwritten<std::uint32_t>> weights; ///< and weights_padding more
     std::vector<LightPixel> lights;
 };
 
