@@ -2,6 +2,7 @@
 /// Output of edges: for each face its crossings as a function of the line, and its intensity as a function of
 /// the pixel.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -48,32 +49,46 @@ struct IntensityPlane {
 };
 
 /// A face ready for the scanline stage: leading edges first (where the face begins on a line), then trailing
-/// ones.
-struct EdgeFace {
+/// ones. Half a cache line: a band's faces stand far apart. Lines and elements fit 16 bits (at most 4096).
+struct alignas(32) EdgeFace {
     std::uint32_t first_edge = 0; ///< into FaceEdges::edges
     std::uint16_t leading = 0;
     std::uint16_t trailing = 0;
-    std::int32_t first_line = 0; ///< lines it touches, within the raster
-    std::int32_t end_line = 0;
-    std::int32_t plane = -1;         ///< into FaceEdges::planes, or -1: flat
-    bool coloured = false;           ///< its plane and the next two are of red, green and blue
-    std::uint32_t first_outline = 0; ///< into FaceEdges::outlines; with edge smoothing alone
-    std::uint32_t outlines = 0;
-    std::int32_t first_element = 0; ///< it touches no element outside these, within the raster
-    std::int32_t end_element = 0;
+    std::int32_t first_line : 16 = 0; ///< lines it touches, within the raster
+    std::int32_t end_line : 16 = 0;
     bool blends = false; ///< semi-opaque, additive or fading: others show through it
     bool additive = false;
     std::uint16_t opacity = 256; ///< of 256
     std::uint16_t fade = 256;    ///< of 256: what is seen of its level of detail
-    std::int32_t level = -1;     ///< the level while it fades, else -1
+    std::uint16_t outlines = 0;
+    std::int32_t level = -1;             ///< the level while it fades, else -1
+    std::uint32_t first_outline = 0;     ///< into FaceEdges::outlines; with edge smoothing alone
+    std::int32_t first_element : 16 = 0; ///< it touches no element outside these, within the raster
+    std::int32_t end_element : 16 = 0;
 };
+static_assert(sizeof(EdgeFace) == 32);
 
-/// Parallel to ProjectedFaces::faces.
+/// All that video needs to know of a face in clear air, beside no other: it comes to faces in the order of the picture,
+/// which is none in memory.
+struct alignas(32) FaceShading {
+    /// Of a flat face one that does not slope. Of a coloured one only `value` means anything: it is the place of the three
+    /// planes in FaceEdges::tints.
+    IntensityPlane plane;
+    std::uint16_t colour = 0; ///< of the database's table, or the packet's
+    bool coloured = false;
+    bool through_air = false; ///< its range plays a part (ProjectedFace::depth)
+};
+static_assert(sizeof(FaceShading) == 32);
+
+/// Red, green and blue of a coloured face, 255 being 1.0.
+using TintPlanes = std::array<IntensityPlane, 3>;
+
 struct FaceEdges {
-    std::vector<EdgeFace> faces;
+    std::vector<EdgeFace> faces;       ///< parallel to ProjectedFaces::faces
+    std::vector<FaceShading> shadings; ///< parallel to those
     std::vector<Edge> edges;
     std::vector<OutlineEdge> outlines;
-    std::vector<IntensityPlane> planes;
+    std::vector<TintPlanes> tints; ///< of coloured faces
 };
 
 } // namespace linkdig::ig

@@ -1,5 +1,6 @@
 #include "ig/edges/edges.h"
 
+#include "ig/edges/edge_batch.h"
 #include "ig/floor.h"
 
 #include <algorithm>
@@ -7,13 +8,6 @@
 namespace linkdig::ig {
 
 namespace {
-
-constexpr int fraction_bits = crossing_bits - 8; // coordinates are already in 1/256 pixel
-constexpr std::int64_t half_pixel = std::int64_t{1} << (crossing_bits - 1);
-/// A crossing exactly on a pixel centre belongs to that pixel: the quotients below are rounded down by less
-/// than 2^-36 pixel, different positions differ by at least 2^-32, so one minus this turns "floor" into an
-/// exact "ceiling".
-constexpr std::int64_t tie = std::int64_t{1} << (crossing_bits - 34);
 
 /// dividend / divisor in units of 2^-40, rounded down. |dividend| < 2^49, 0 < divisor < 2^24. Double holds both, and divides
 /// faster than whole numbers do. A quotient that is not whole is at least 1 / divisor from whole numbers: the first one is off
@@ -42,16 +36,14 @@ void make_edge(const RasterPoint& upper, const RasterPoint& lower, std::int32_t 
     const std::uint64_t crossing =
         (static_cast<std::uint64_t>(std::int64_t{upper.element}) << fraction_bits) +
         fixed_quotient(down * width, height);
-    edge.start = static_cast<std::int64_t>(crossing + static_cast<std::uint64_t>(half_pixel - tie));
+    edge.start = static_cast<std::int64_t>(crossing + static_cast<std::uint64_t>(crossing_to_start));
     edge.slope =
         end_line - first_line > 1 ? static_cast<std::int64_t>(fixed_quotient(width * 256, height)) : 0;
 }
 
-/// A value of an intensity plane as an integer of 2^-22, modulo 2^32. Beyond 2^62 only slivers of no width
-/// arrive; their pixels are clamped to the corners' range.
+/// A value of an intensity plane as an integer of 2^-22, modulo 2^32.
 std::uint32_t to_plane_units(double value) {
-    constexpr double bound = 4611686018427387904.0;
-    return static_cast<std::uint32_t>(floor_of(std::clamp(value, -bound, bound) + 0.5));
+    return static_cast<std::uint32_t>(floor_of(std::clamp(value, -plane_bound, plane_bound) + 0.5));
 }
 
 /// The plane through the three corners. All products are exact in double (below 2^53) for snapped corners;
@@ -104,24 +96,38 @@ public:
         : projected_(projected), lines_(static_cast<std::int32_t>(raster.lines())),
           elements_(static_cast<std::int32_t>(raster.elements())), smoothing_(smoothing), out_(out) {}
 
-    /// Written where it stays: a copy of what has just been written in parts waits for all of them.
-    void put(const ProjectedFace& face) {
-        const RasterPoint* points = projected_.points.data() + face.first_point;
-        EdgeFace& made = out_.faces.emplace_back();
-        made.first_edge = static_cast<std::uint32_t>(out_.edges.size());
-        made.first_line = lines_;
-        made.additive = face.added_to >= 0;
-        made.opacity = face.opacity;
-        made.fade = face.fade;
-        made.level = face.level;
-        made.blends = made.additive || face.opacity < opaque || face.fade < opaque;
-        put_extent(points, face.point_count, made);
-        if (spans_a_centre(points, face.point_count)) put_crossings(points, face.point_count, made);
-        if (face.triangle >= 0 && (made.leading > 0 || smoothing_)) put_plane(face, points[0], made);
-        if (smoothing_) put_outline(points, face.point_count, made);
+    void run() {
+        out_.faces.resize(projected_.faces.size()); // each is written anew
+        out_.shadings.resize(projected_.faces.size());
+        for (std::size_t rank = 0; rank < projected_.faces.size();) {
+            const std::size_t together = smoothing_ ? 0 : put_together(rank);
+            if (together == 0) put(rank);
+            rank += std::max<std::size_t>(together, 1);
+        }
+        out_.edges.resize(edges_made_);
     }
 
 private:
+    std::size_t put_together(std::size_t rank) {
+        const std::size_t made = make_edges_together(projected_, rank, lines_, elements_, out_, edges_made_);
+        for (std::size_t k = rank; k < rank + made; ++k) {
+            const ProjectedFace& face = projected_.faces[k];
+            put_extent(projected_.points.data() + face.first_point, face.point_count, out_.faces[k]);
+        }
+        return made;
+    }
+
+    void put(std::size_t rank) {
+        const ProjectedFace& face = projected_.faces[rank];
+        const RasterPoint* points = projected_.points.data() + face.first_point;
+        EdgeFace& made = out_.faces[rank];
+        made = face_without_edges(face, edges_made_, lines_);
+        put_extent(points, face.point_count, made);
+        if (spans_a_centre(points, face.point_count)) put_crossings(points, face.point_count, made);
+        put_shading(face, points[0], made, out_.shadings[rank]);
+        if (smoothing_) put_outline(points, face.point_count, made);
+    }
+
     /// Far faces are often too low for any line.
     static bool spans_a_centre(const RasterPoint* points, std::size_t count) {
         const std::int32_t line = first_line_at(points[0].line);
@@ -143,6 +149,9 @@ private:
 
     /// Of a polygon of positive area the edges that run up the lines begin it on a line, those that run down end it.
     void put_crossings(const RasterPoint* points, std::size_t count, EdgeFace& made) {
+        Edge* edge = room_for_edges(out_, edges_made_, count);
+        std::int32_t face_begin = lines_;
+        std::int32_t face_end = 0;
         for (const bool leading : {true, false}) {
             for (std::size_t k = 0; k < count; ++k) {
                 const RasterPoint& from = points[k];
@@ -153,16 +162,22 @@ private:
                 const std::int32_t first_line = std::max(first_line_at(upper.line), 0);
                 const std::int32_t end_line = std::min(first_line_at(lower.line), lines_);
                 if (first_line >= end_line) continue;
-                make_edge(upper, lower, first_line, end_line, out_.edges.emplace_back());
+                make_edge(upper, lower, first_line, end_line, *edge++);
                 ++(leading ? made.leading : made.trailing);
-                made.first_line = std::min(made.first_line, first_line);
-                made.end_line = std::max(made.end_line, end_line);
+                face_begin = std::min(face_begin, first_line);
+                face_end = std::max(face_end, end_line);
             }
         }
+        made.first_line = face_begin;
+        made.end_line = face_end;
+        edges_made_ += std::size_t{made.leading} + made.trailing;
     }
 
-    /// The plane's reference is a pixel of the face, so that values stay small.
-    void put_plane(const ProjectedFace& face, const RasterPoint& corner, EdgeFace& made) {
+    /// The plane's reference is a pixel of the face, so that values stay small. What has no pixel needs no plane.
+    void put_shading(const ProjectedFace& face, const RasterPoint& corner, const EdgeFace& made,
+                     FaceShading& shading) {
+        shading = level_shading(face);
+        if (face.triangle < 0 || (made.leading == 0 && !smoothing_)) return;
         std::int32_t line = made.first_line;
         std::int32_t element = 0;
         for (std::uint32_t k = 0; k < made.leading; ++k) {
@@ -173,13 +188,18 @@ private:
             line = std::clamp(corner.line >> 8, 0, lines_ - 1);
             element = corner.element >> 8;
         }
-        made.plane = static_cast<std::int32_t>(out_.planes.size());
-        made.coloured = face.colour_step != 0;
-        for (std::uint32_t k = 0; k < (made.coloured ? 3U : 1U); ++k) {
-            const std::size_t triangle = static_cast<std::size_t>(face.triangle) + k * face.colour_step;
-            make_plane(projected_.triangles[triangle], line, std::clamp(element, 0, elements_ - 1),
-                       out_.planes.emplace_back());
+        element = std::clamp(element, 0, elements_ - 1);
+        const IntensityTriangle* const triangle =
+            projected_.triangles.data() + static_cast<std::size_t>(face.triangle);
+        shading.coloured = face.colour_step != 0;
+        if (!shading.coloured) {
+            make_plane(*triangle, line, element, shading.plane);
+            return;
         }
+        shading.plane = {.value = static_cast<std::uint32_t>(out_.tints.size())};
+        TintPlanes& tint = out_.tints.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
+            make_plane(triangle[k * face.colour_step], line, element, tint[k]);
     }
 
     void put_outline(const RasterPoint* points, std::size_t count, EdgeFace& made) {
@@ -198,7 +218,7 @@ private:
             if (lower.line <= 0 || upper.line >= 256 * lines_) continue;
             make_outline_edge(upper, lower, begins ? 1 : -1, out_.outlines.emplace_back());
         }
-        made.outlines = static_cast<std::uint32_t>(out_.outlines.size()) - made.first_outline;
+        made.outlines = static_cast<std::uint16_t>(out_.outlines.size() - made.first_outline);
         made.first_line = std::clamp(least >> 8, 0, lines_);
         made.end_line = std::clamp((greatest + 255) >> 8, 0, lines_);
     }
@@ -208,34 +228,35 @@ private:
     std::int32_t elements_;
     bool smoothing_;
     FaceEdges& out_;
+    std::size_t edges_made_ = 0; ///< behind them the vector still has the last frame's
 };
 
 } // namespace
 
 void make_edges(const ProjectedFaces& projected, const Raster& raster, bool smoothing, FaceEdges& out) {
-    out.faces.clear();
-    out.edges.clear();
     out.outlines.clear();
-    out.planes.clear();
-    EdgeMaker maker(projected, raster, smoothing, out);
-    for (const ProjectedFace& face : projected.faces)
-        maker.put(face);
+    out.tints.clear();
+    EdgeMaker(projected, raster, smoothing, out).run();
 }
 
 void append(const FaceEdges& part, FaceEdges& all) {
     const auto first_edge = static_cast<std::uint32_t>(all.edges.size());
     const auto first_outline = static_cast<std::uint32_t>(all.outlines.size());
-    const auto first_plane = static_cast<std::int32_t>(all.planes.size());
+    const auto first_tint = static_cast<std::uint32_t>(all.tints.size());
     all.faces.reserve(all.faces.size() + part.faces.size());
     for (const EdgeFace& face : part.faces) {
         EdgeFace& added = all.faces.emplace_back(face);
         added.first_edge += first_edge;
         added.first_outline += first_outline;
-        if (added.plane >= 0) added.plane += first_plane;
+    }
+    all.shadings.reserve(all.shadings.size() + part.shadings.size());
+    for (const FaceShading& shading : part.shadings) {
+        FaceShading& added = all.shadings.emplace_back(shading);
+        if (added.coloured) added.plane.value += first_tint;
     }
     all.edges.insert(all.edges.end(), part.edges.begin(), part.edges.end());
     all.outlines.insert(all.outlines.end(), part.outlines.begin(), part.outlines.end());
-    all.planes.insert(all.planes.end(), part.planes.begin(), part.planes.end());
+    all.tints.insert(all.tints.end(), part.tints.begin(), part.tints.end());
 }
 
 } // namespace linkdig::ig

@@ -13,6 +13,11 @@ void make_edges(const ProjectedFaces& projected, const Raster& raster, bool smoo
 /// Adds the edges of the next part of the faces behind what is there.
 void append(const FaceEdges& part, FaceEdges& all);
 
+/// The three planes of a coloured face.
+inline const TintPlanes& tint_of(const FaceEdges& edges, const FaceShading& coloured) {
+    return edges.tints[coloured.plane.value];
+}
+
 /// First element whose centre is at or beyond the edge's crossing of `line`; may lie outside the raster.
 inline std::int32_t first_element(const Edge& edge, std::int32_t line) {
     const auto steps = static_cast<std::uint64_t>(line - edge.first_line);

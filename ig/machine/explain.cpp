@@ -117,15 +117,15 @@ Layer layer_of(const StageOutputs& outputs, std::uint32_t rank, std::int32_t lin
     layer.intensity = projected.intensity;
     layer.level = database.objects[face.object].level;
     layer.level_opacity = projected.fade;
-    const std::int32_t plane = outputs.edges->faces[rank].plane;
-    layer.coloured = outputs.edges->faces[rank].coloured;
+    const FaceShading& shading = outputs.edges->shadings[rank];
+    layer.coloured = shading.coloured;
     if (layer.coloured) {
-        for (std::size_t k = 0; k < 3; ++k)
-            layer.tint[k] =
-                intensity_at(outputs.edges->planes[static_cast<std::size_t>(plane) + k], line, element);
-    } else if (plane >= 0) {
+        const TintPlanes& tint = tint_of(*outputs.edges, shading);
+        for (std::size_t k = 0; k < tint.size(); ++k)
+            layer.tint[k] = intensity_at(tint[k], line, element);
+    } else if (projected.triangle >= 0) {
         layer.smooth = true;
-        layer.intensity = intensity_at(outputs.edges->planes[static_cast<std::size_t>(plane)], line, element);
+        layer.intensity = intensity_at(shading.plane, line, element);
         const IntensityTriangle& triangle =
             outputs.projected->triangles[static_cast<std::size_t>(projected.triangle)];
         std::copy(triangle.intensity, triangle.intensity + 3, layer.corner_intensity);

@@ -10,17 +10,16 @@ namespace linkdig::ig {
 
 Seen see(const VideoInput& input, std::uint32_t rank, std::uint32_t line, std::uint32_t element) {
     const ProjectedFace& face = input.projected->faces[rank];
-    const EdgeFace& edges = input.edges->faces[rank];
+    const FaceShading& shading = input.edges->shadings[rank];
     const auto l = static_cast<std::int32_t>(line), e = static_cast<std::int32_t>(element);
-    const IntensityPlane* planes = input.edges->planes.data() + std::max(edges.plane, 0);
     Seen seen;
-    if (edges.coloured) {
-        const Tint tint = tint_at(planes, l, e);
+    if (shading.coloured) {
+        const Tint tint = tint_at(tint_of(*input.edges, shading).data(), l, e);
         seen.light = lit(tint);
         seen.intensity = std::max({tint[0], tint[1], tint[2]});
     } else {
-        seen.intensity = edges.plane < 0 ? face.intensity : intensity_at(*planes, l, e);
-        seen.light = lit(input.colours[face.colour], seen.intensity);
+        seen.intensity = intensity_at(shading.plane, l, e);
+        seen.light = lit(input.colours[shading.colour], seen.intensity);
     }
     const Air& air = *input.air;
     if (air.clear() || face.depth < 0) return seen;

@@ -96,17 +96,12 @@ private:
 
     /// False if the transmission changes along the face, or it has three interpolants.
     bool colour_of(std::uint32_t rank, RunColour& run) const {
+        const FaceShading& shading = input_.edges->shadings[rank];
+        if (shading.coloured) return false;
+        run.colour = input_.colours[shading.colour];
+        run.plane = shading.plane;
+        if (input_.air->clear() || !shading.through_air) return true;
         const ProjectedFace& face = input_.projected->faces[rank];
-        const EdgeFace& edges = input_.edges->faces[rank];
-        if (edges.coloured) return false;
-        run.colour = input_.colours[face.colour];
-        if (edges.plane >= 0) {
-            run.plane = input_.edges->planes[static_cast<std::size_t>(edges.plane)];
-        } else {
-            run.plane.value = static_cast<std::uint32_t>(face.intensity);
-            run.plane.least = run.plane.greatest = face.intensity;
-        }
-        if (input_.air->clear() || face.depth < 0) return true;
         return input_.air->is_flat(input_.projected->depths[static_cast<std::size_t>(face.depth)],
                                    run.transmission);
     }

@@ -21,18 +21,20 @@ void plane_intensities(const Raster& raster, const IntensityPlane& plane, const 
     }
 }
 
-/// A flat face's intensity as a plane that does not slope.
-IntensityPlane level_plane(std::int32_t intensity) {
-    return {.value = static_cast<std::uint32_t>(intensity), .least = intensity, .greatest = intensity};
+/// The face's depth plane where its range counts, else null.
+const DepthPlane* depth_of(const VideoInput& input, const FaceShading& shading, std::uint32_t rank) {
+    if (input.air->clear() || !shading.through_air) return nullptr;
+    return &input.projected->depths[static_cast<std::size_t>(input.projected->faces[rank].depth)];
 }
 
 /// Runs of one face with one colour code.
-void draw_runs(const VideoInput& input, const ProjectedFace& face, const IntensityPlane& intensity,
+void draw_runs(const VideoInput& input, const FaceShading& shading, const DepthPlane* depth,
                std::span<const Segment> runs, const BandPixels& pixels) {
-    const Colour colour = input.colours[face.colour];
+    const Colour colour = input.colours[shading.colour];
+    const IntensityPlane& intensity = shading.plane;
     const Air& air = *input.air;
     const bool level = intensity.least == intensity.greatest;
-    if (air.clear() || face.depth < 0) {
+    if (depth == nullptr) {
         if (level) {
             fill_runs(shade(colour, intensity.least), runs, pixels);
         } else {
@@ -40,10 +42,9 @@ void draw_runs(const VideoInput& input, const ProjectedFace& face, const Intensi
         }
         return;
     }
-    const DepthPlane& depth = input.projected->depths[static_cast<std::size_t>(face.depth)];
     std::int32_t transmission = 0;
-    if (!air.is_flat(depth, transmission)) {
-        shade_runs_in_air(intensity, colour, depth, air, runs, pixels);
+    if (!air.is_flat(*depth, transmission)) {
+        shade_runs_in_air(intensity, colour, *depth, air, runs, pixels);
     } else if (level) {
         fill_runs(shade_through_air(colour, intensity.least, transmission, air.horizon()), runs, pixels);
     } else {
@@ -51,17 +52,16 @@ void draw_runs(const VideoInput& input, const ProjectedFace& face, const Intensi
     }
 }
 
-void draw_coloured_segment(const VideoInput& input, const ProjectedFace& face, const IntensityPlane* planes,
+void draw_coloured_segment(const VideoInput& input, const IntensityPlane* planes, const DepthPlane* depth,
                            const Segment& segment, std::uint32_t* pixels) {
-    const Air& air = *input.air;
-    if (air.clear() || face.depth < 0) {
+    if (depth == nullptr) {
         colour_run(planes, segment.line, segment.first, segment.count, pixels);
         return;
     }
-    const DepthPlane& depth = input.projected->depths[static_cast<std::size_t>(face.depth)];
+    const Air& air = *input.air;
     std::int32_t transmission = 0;
-    const bool flat = air.is_flat(depth, transmission);
-    colour_run_in_air(planes, flat ? nullptr : &depth, transmission, air, segment.line, segment.first,
+    const bool flat = air.is_flat(*depth, transmission);
+    colour_run_in_air(planes, flat ? nullptr : depth, transmission, air, segment.line, segment.first,
                       segment.count, pixels);
 }
 
@@ -82,34 +82,30 @@ void plane_colours(const Raster& raster, const IntensityPlane* planes, const Seg
 /// The runs of one face.
 void draw_face(const VideoInput& input, const Raster& raster, std::uint32_t rank,
                std::span<const Segment> runs, const BandPixels& pixels, VideoFrame& frame) {
-    const ProjectedFace& face = input.projected->faces[rank];
-    const EdgeFace& edges = input.edges->faces[rank];
-    const IntensityPlane* planes = input.edges->planes.data() + std::max(edges.plane, 0);
-    const IntensityPlane intensity = edges.plane >= 0 ? *planes : level_plane(face.intensity);
-    if (!edges.coloured) {
-        draw_runs(input, face, intensity, runs, pixels);
+    const FaceShading& shading = input.edges->shadings[rank];
+    const DepthPlane* const depth = depth_of(input, shading, rank);
+    const IntensityPlane* const tint = shading.coloured ? tint_of(*input.edges, shading).data() : nullptr;
+    if (tint == nullptr) {
+        draw_runs(input, shading, depth, runs, pixels);
         if (frame.rank.empty() && frame.intensity.empty()) return;
     }
     for (const Segment& run : runs) {
         fill_plane(raster, run, static_cast<std::int32_t>(rank), frame.rank);
-        if (edges.coloured) {
-            draw_coloured_segment(input, face, planes, run, pixels.at(run));
-            plane_colours(raster, planes, run, frame);
+        if (tint != nullptr) {
+            draw_coloured_segment(input, tint, depth, run, pixels.at(run));
+            plane_colours(raster, tint, run, frame);
         } else {
-            plane_intensities(raster, intensity, run, frame);
+            plane_intensities(raster, shading.plane, run, frame);
         }
     }
 }
 
-/// Asks for faces that are soon needed, their planes when they are there. `faces`: those that are still to come.
+/// Asks for the faces that are soon needed.
 LINKDIG_ALWAYS_INLINE void fetch_ahead(const VideoInput& input, std::span<const FaceSegments> faces) {
-    constexpr std::size_t faces_ahead = 16, planes_ahead = 6;
-    if (faces.size() > faces_ahead) {
-        prefetch(&input.projected->faces[faces[faces_ahead].face]);
-        prefetch(&input.edges->faces[faces[faces_ahead].face]);
-    }
-    if (faces.size() > planes_ahead)
-        prefetch(input.edges->planes.data() + std::max(input.edges->faces[faces[planes_ahead].face].plane, 0));
+    constexpr std::size_t faces_ahead = 12;
+    if (faces.size() <= faces_ahead) return;
+    prefetch(&input.edges->shadings[faces[faces_ahead].face]);
+    if (!input.air->clear()) prefetch(&input.projected->faces[faces[faces_ahead].face]);
 }
 
 } // namespace

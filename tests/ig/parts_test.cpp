@@ -56,10 +56,10 @@ std::vector<std::int64_t> face_numbers(const Stages& stages, std::size_t rank) {
     }
     for (std::size_t k = 0; k < made.outlines; ++k)
         numbers.push_back(stages.edges.outlines[made.first_outline + k].start);
-    if (made.plane >= 0) {
-        const IntensityPlane& plane = stages.edges.planes[static_cast<std::size_t>(made.plane)];
-        numbers.insert(numbers.end(), {plane.value, plane.along, plane.across, plane.least, plane.greatest});
-    }
+    const FaceShading& shading = stages.edges.shadings[rank];
+    const IntensityPlane& plane = shading.plane;
+    numbers.insert(numbers.end(), {shading.colour, shading.through_air, plane.value, plane.along,
+                                   plane.across, plane.least, plane.greatest});
     return numbers;
 }
 

@@ -103,14 +103,13 @@ struct Output {
     void write(std::int32_t rank, std::uint32_t line, std::int64_t first, std::int64_t end) {
         if (rank == none) return;
         const ig::ProjectedFace& face = projected.faces[static_cast<std::size_t>(rank)];
-        const std::int32_t plane = edges.faces[static_cast<std::size_t>(rank)].plane;
+        const ig::IntensityPlane& plane = edges.shadings[static_cast<std::size_t>(rank)].plane;
         const std::int64_t last = std::min<std::int64_t>(end, raster.elements());
         for (std::int64_t element = std::max<std::int64_t>(first, 0); element < last; ++element) {
-            const std::int32_t intensity =
-                plane < 0
-                    ? face.intensity
-                    : plane_intensity(edges.planes[static_cast<std::size_t>(plane)],
-                                      static_cast<std::int32_t>(line), static_cast<std::int32_t>(element));
+            const std::int32_t intensity = face.triangle < 0
+                                               ? face.intensity
+                                               : plane_intensity(plane, static_cast<std::int32_t>(line),
+                                                                 static_cast<std::int32_t>(element));
             const std::size_t at = place(raster, line, static_cast<std::uint32_t>(element));
             frame.pixels[at] = shaded_with_15_bits(colours[face.colour], intensity);
             frame.intensity[at] = intensity;
