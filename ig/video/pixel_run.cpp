@@ -1,5 +1,6 @@
 #include "ig/video/pixel_run.h"
 
+#include "ig/prefetch.h"
 #include "ig/simd/simd_level.h"
 #include "ig/video/air_samples.h"
 #include "ig/video/inverse_range.h"
@@ -36,6 +37,29 @@ void shade_plainly(const IntensityPlane& plane, Colour colour, std::span<const S
     });
 }
 
+/// A band's faces, one after the other, as shade_faces(): `level` and `sloping` are given a face's runs, its colour code, and its
+/// intensity or plane.
+template <typename Level, typename Sloping>
+[[gnu::always_inline]] inline std::size_t for_faces(const BandFaces& band, std::size_t from, Level level,
+                                                    Sloping sloping) {
+    constexpr std::size_t faces_ahead = 12; // they stand far apart
+    std::uint32_t begin = from == 0 ? 0 : band.faces[from - 1].end;
+    for (std::size_t k = from; k < band.faces.size(); ++k) {
+        if (k + faces_ahead < band.faces.size()) prefetch(&band.shadings[band.faces[k + faces_ahead].face]);
+        const FaceShading& shading = band.shadings[band.faces[k].face];
+        if (shading.coloured || (shading.through_air && !band.clear)) return k;
+        const std::span<const Segment> runs = band.segments.subspan(begin, band.faces[k].end - begin);
+        begin = band.faces[k].end;
+        const Colour colour = band.colours[shading.colour];
+        if (shading.plane.least == shading.plane.greatest) {
+            level(runs, colour, shading.plane.least);
+        } else {
+            sloping(runs, colour, shading.plane);
+        }
+    }
+    return band.faces.size();
+}
+
 void fill_plainly(std::uint32_t pixel, std::span<const Segment> runs, const BandPixels& pixels) {
     for (const Segment& run : runs)
         std::fill_n(pixels.at(run), run.count, pixel);
@@ -67,6 +91,17 @@ void shade_plainly_in_air(const IntensityPlane& plane, Colour colour, const Dept
         }
         runs = runs.subspan(planned.size());
     }
+}
+
+std::size_t shade_faces_plainly(const BandFaces& faces, std::size_t from, const BandPixels& pixels) {
+    return for_faces(
+        faces, from,
+        [&](std::span<const Segment> runs, Colour colour, std::int32_t intensity) {
+            fill_plainly(shade(colour, intensity), runs, pixels);
+        },
+        [&](std::span<const Segment> runs, Colour colour, const IntensityPlane& plane) {
+            shade_plainly(plane, colour, runs, pixels);
+        });
 }
 
 } // namespace
@@ -281,6 +316,15 @@ void FillRuns(std::uint32_t value, const Segment* run, std::size_t runs, const B
     }
 }
 
+std::size_t ShadeFaces(const BandFaces& faces, std::size_t from, const BandPixels& pixels) {
+    return for_faces(
+        faces, from,
+        [&](std::span<const Segment> runs, Colour colour, std::int32_t intensity)
+            HWY_ATTR { FillRuns(shade(colour, intensity), runs.data(), runs.size(), pixels); },
+        [&](std::span<const Segment> runs, Colour colour, const IntensityPlane& plane)
+            HWY_ATTR { ShadeRuns(plane, colour, runs.data(), runs.size(), pixels); });
+}
+
 void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
                      const Segment* run, std::size_t runs, const BandPixels& pixels) {
     const AirMixer mixer(colour, horizon);
@@ -343,6 +387,10 @@ void ShadeRunsInAir(const IntensityPlane& plane, Colour colour, const DepthPlane
 
 #else // one lane has no 16-bit halves
 
+std::size_t ShadeFaces(const BandFaces& faces, std::size_t from, const BandPixels& pixels) {
+    return shade_faces_plainly(faces, from, pixels);
+}
+
 void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, std::size_t runs,
                const BandPixels& pixels) {
     shade_plainly(plane, colour, {run, runs}, pixels);
@@ -372,6 +420,7 @@ namespace {
 
 HWY_EXPORT(ShadeRuns);
 HWY_EXPORT(FillRuns);
+HWY_EXPORT(ShadeFaces);
 HWY_EXPORT(ShadeRunsInHaze);
 HWY_EXPORT(ShadeRunsInAir);
 
@@ -384,6 +433,11 @@ void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segm
     } else {
         HWY_DYNAMIC_DISPATCH(ShadeRuns)(plane, colour, runs.data(), runs.size(), pixels);
     }
+}
+
+std::size_t shade_faces(const BandFaces& faces, std::size_t from, const BandPixels& pixels) {
+    return simd_is_off() ? shade_faces_plainly(faces, from, pixels)
+                         : HWY_DYNAMIC_DISPATCH(ShadeFaces)(faces, from, pixels);
 }
 
 void fill_runs(std::uint32_t pixel, std::span<const Segment> runs, const BandPixels& pixels) {

@@ -46,6 +46,19 @@ void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segm
 /// Gives all pixels of the runs this value.
 void fill_runs(std::uint32_t pixel, std::span<const Segment> runs, const BandPixels& pixels);
 
+/// Faces of a band, and what colours them.
+struct BandFaces {
+    std::span<const FaceSegments> faces;
+    std::span<const Segment> segments; ///< of all of them
+    std::span<const FaceShading> shadings;
+    std::span<const Colour> colours;
+    bool clear = true; ///< no air plays a part
+};
+
+/// Shades faces from number `from` on, until one comes that has more than one colour code, or air before it. Returns the number of
+/// that one, or of faces.
+std::size_t shade_faces(const BandFaces& faces, std::size_t from, const BandPixels& pixels);
+
 /// A colour before it is rounded to levels: components with 7 fraction bits, 0 to 255 * 128.
 struct Components {
     std::uint32_t red = 0, green = 0, blue = 0;

@@ -122,13 +122,15 @@ void open_frame(const Raster& raster, bool intensity, bool rank, VideoFrame& fra
 void draw_band(const VideoInput& input, const Raster& raster, const BandSegments& band, VideoScratch& scratch,
                VideoFrame& frame) {
     const BeamBuffer beam(raster, band, scratch.lines, frame);
-    const std::span<const FaceSegments> faces = band.faces;
-    std::size_t first = 0;
-    for (std::size_t k = 0; k < faces.size(); ++k) {
-        fetch_ahead(input, faces.subspan(k));
-        draw_face(input, raster, faces[k].face, {band.segments.data() + first, faces[k].end - first},
-                  beam.pixels(), frame);
-        first = faces[k].end;
+    const BandFaces faces{band.faces, band.segments, input.edges->shadings, input.colours, input.air->clear()};
+    const bool picture_alone = frame.rank.empty() && frame.intensity.empty();
+    for (std::size_t k = 0; k < band.faces.size(); ++k) {
+        if (picture_alone) k = shade_faces(faces, k, beam.pixels());
+        if (k == band.faces.size()) break;
+        fetch_ahead(input, faces.faces.subspan(k));
+        const std::uint32_t begin = k == 0 ? 0 : band.faces[k - 1].end;
+        draw_face(input, raster, band.faces[k].face,
+                  {band.segments.data() + begin, band.faces[k].end - begin}, beam.pixels(), frame);
     }
     fill_runs(shade(input.background, intensity_one), band.background, beam.pixels());
     for (const Segment& segment : band.background) {
