@@ -20,9 +20,14 @@ struct FaceSieve {
 
 /// A face that is left.
 struct SiftedFace {
-    std::uint32_t face = 0; ///< into the block's faces
-    bool whole = false;     ///< wholly in front of the near plane and inside the guard band
-    bool fan = false;       ///< of several intensities: cut into triangles
+    static constexpr std::uint32_t whole_mark = 1, level_mark = 2;
+    std::uint32_t face = 0;  ///< into the block's faces
+    std::uint32_t marks = 0; ///< and bits above of no meaning
+
+    /// Wholly in front of the near plane and inside the guard band?
+    bool whole() const { return (marks & whole_mark) != 0; }
+    /// Have its corners one intensity? Of whole faces.
+    bool level() const { return (marks & level_mark) != 0; }
 };
 
 /// Faces that go through together.

@@ -146,7 +146,7 @@ private:
 
     bool is_whole(const SiftedFace& sifted) const {
         const Face& face = block_->faces[sifted.face];
-        return sifted.whole &&
+        return sifted.whole() &&
                (face.coloured == 0 || block_->colour != none || block_->corner_colours.empty()) &&
                (active_.object_shed.empty() || active_.object_shed[face.object] == 0);
     }

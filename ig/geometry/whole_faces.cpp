@@ -23,11 +23,13 @@ public:
         std::size_t triangles = 0;
         std::size_t corners = 0;
         std::size_t pieces = 0;
-        for (const SiftedFace& face : faces) {
-            const std::size_t count = common.block->faces[face.face].corner_count;
-            triangles += face.fan ? count - 2 : 0;
-            pieces += face.fan ? count - 2 : 1;
-            corners += face.fan ? 3 * (count - 2) : count;
+        for (const SiftedFace& sifted : faces) {
+            const Face& face = common.block->faces[sifted.face];
+            const std::size_t count = face.corner_count;
+            const bool fan = is_fan(sifted, face);
+            triangles += fan ? count - 2 : 0;
+            pieces += fan ? count - 2 : 1;
+            corners += fan ? 3 * (count - 2) : count;
         }
         out_.points.resize(first_point_ + corners);
         out_.triangles.resize(first_triangle_ + triangles);
@@ -41,7 +43,7 @@ public:
         const FaceBlock& block = *common_.block;
         const Face& face = block.faces[sifted.face];
         const std::uint32_t* corners = block.corners.data() + face.first_corner;
-        if (sifted.fan) {
+        if (is_fan(sifted, face)) {
             for (std::uint32_t k = 1; k + 1 < face.corner_count; ++k)
                 put_piece(sifted.face, corners[0], corners[k], corners[k + 1]);
             return;
@@ -72,6 +74,11 @@ public:
     }
 
 private:
+    /// Of several intensities: cut into triangles that fan out from its first corner.
+    bool is_fan(const SiftedFace& sifted, const Face& face) const {
+        return face.shading == Shading::vertex && common_.block->smooth && !sifted.level();
+    }
+
     template <typename Value>
     static void fetch(const Value* next, const Value* begun, const Value* end) {
         const auto* const from = reinterpret_cast<const char*>(next);
