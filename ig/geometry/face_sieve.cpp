@@ -2,6 +2,8 @@
 
 #include "ig/simd/simd_level.h"
 
+#include <bit>
+#include <cstring>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -31,21 +33,23 @@ constexpr std::uint32_t at_once = hn::MaxLanes(Wide()) / 4;
 using Bits = std::uint32_t;
 constexpr Bits each = 0x1111;
 
-/// A face's corners; the last one of a triangle counts twice.
 struct FaceCorners {
-    const std::uint32_t* index = nullptr;
+    const std::uint32_t* index = nullptr; ///< of vertices
     std::uint32_t count = 3;
 };
 
-/// Corner k of the faces.
+/// The faces' first three corners, and their last one: a triangle's third counts twice.
+enum class Place : std::uint8_t { first, second, third, last };
+
 template <class D>
-HWY_INLINE hn::Vec<D> CornerOf(D d, const SeenVertex* seen, const FaceCorners* faces, std::uint32_t k) {
+HWY_INLINE hn::Vec<D> CornerAt(D d, const SeenVertex* seen, const FaceCorners* faces, Place place) {
     if constexpr (hn::MaxLanes(d) == 4) {
-        return hn::Load(d, &seen[faces->index[k < 3 || faces->count > k ? k : 2]].snapped.line);
+        const std::uint32_t k = place == Place::last ? faces->count - 1 : static_cast<std::uint32_t>(place);
+        return hn::Load(d, &seen[faces->index[k]].snapped.line);
     } else {
         const hn::Half<D> half;
-        return hn::Combine(d, CornerOf(half, seen, faces + hn::MaxLanes(half) / 4, k),
-                           CornerOf(half, seen, faces, k));
+        return hn::Combine(d, CornerAt(half, seen, faces + hn::MaxLanes(half) / 4, place),
+                           CornerAt(half, seen, faces, place));
     }
 }
 
@@ -53,7 +57,10 @@ template <class D>
 HWY_INLINE Bits BitsOf(D d, hn::Mask<D> mask) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, mask, bytes);
-    return bytes[0] | static_cast<Bits>(bytes[1]) << 8U;
+    static_assert(std::endian::native == std::endian::little);
+    std::uint16_t bits = 0;
+    std::memcpy(&bits, bytes, sizeof(bits));
+    return bits;
 }
 
 /// What corners have in common.
@@ -88,13 +95,13 @@ HWY_INLINE Bits FrontBits(D d, bool vertical, V first, V second, V third, V four
     return BitsOf(d, hn::Lt(hn::BitCast(d, areas), hn::Zero(d)));
 }
 
-/// What there is to know of faces side by side, at the lowest bit of each.
+/// What there is to know of faces side by side, at the lowest bit of each. `hidden` and `front` count for whole ones alone.
 struct Judgement {
     Bits whole = 0;   ///< in front of the near plane and inside the guard band
     Bits level = 0;   ///< of one intensity
     Bits in_view = 0; ///< not all corners outside one side of the frustum
-    Bits hidden = 0;  ///< beside the picture, or between two lines' centres; of whole faces
-    Bits front = 0;   ///< a triangle of it shows its front; of whole faces
+    Bits hidden = 0;  ///< beside the picture, or between two lines' centres
+    Bits front = 0;   ///< a triangle of it shows its front: if none does, nor does the whole
 };
 
 /// What lanes are held against, four of each, set before many faces are judged.
@@ -109,23 +116,25 @@ struct Limits {
     alignas(16) std::int32_t line[4] = {-1, 0, 0, 0};
     alignas(16) std::int32_t intensity[4] = {0, 0, -1, 0};
     alignas(16) std::int32_t cut[4] = {0, 0, 0, before_near | guard};
-    alignas(16) std::int32_t frustum[4] = {0, 0, 0, before_near | left_of | right_of | below | above};
-    bool vertical;
+    alignas(16) std::int32_t frustum[4] = {0, 0, 0, frustum_sides};
+    bool vertical; ///< lines are columns
 };
 
 /// Faces of at most four corners; or one of any number, of which `front` is not known if they are more.
 template <class D>
 HWY_INLINE Judgement Judge(D d, const Limits& limits, const SeenVertex* seen, const FaceCorners* faces) {
     const auto constant = [&](const std::int32_t* of) HWY_ATTR { return hn::LoadDup128(d, of); };
-    const auto first = CornerOf(d, seen, faces, 0), second = CornerOf(d, seen, faces, 1),
-               third = CornerOf(d, seen, faces, 2), fourth = CornerOf(d, seen, faces, 3);
+    const auto first = CornerAt(d, seen, faces, Place::first);
+    const auto second = CornerAt(d, seen, faces, Place::second);
+    const auto third = CornerAt(d, seen, faces, Place::third);
+    const auto fourth = CornerAt(d, seen, faces, Place::last);
     Common<D> common{hn::Min(hn::Min(first, second), hn::Min(third, fourth)),
                      hn::Max(hn::Max(first, second), hn::Max(third, fourth)),
                      hn::And(hn::And(first, second), hn::And(third, fourth)),
                      hn::Or(hn::Or(first, second), hn::Or(third, fourth))};
     if constexpr (hn::MaxLanes(d) == 4)
-        for (std::uint32_t k = 4; k < faces->count; ++k)
-            Add<D>(CornerOf(d, seen, faces, k), common);
+        for (std::uint32_t k = 3; k + 1 < faces->count; ++k)
+            Add<D>(hn::Load(d, &seen[faces->index[k]].snapped.line), common);
 
     // Lanes that are zero: the line, if no line's centre lies between; the intensity, if there is one; outside, if in view.
     const auto line_at = [&](hn::Vec<D> v)

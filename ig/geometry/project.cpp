@@ -13,8 +13,6 @@ namespace linkdig::ig {
 
 namespace {
 
-constexpr std::int32_t frustum_sides = before_near | left_of | right_of | below | above;
-
 /// A smooth-shaded triangle that reaches the near plane is cut into 4^2 before it is clipped: the screen's
 /// interpolation has no meaning across the eye, and small pieces bound what it gets wrong.
 constexpr int near_subdivisions = 2;

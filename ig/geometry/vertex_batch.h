@@ -1,7 +1,7 @@
 #pragma once
 /// Vertices on their way into a channel, many at a time: transformed, lit, compared with the frustum, and placed on the raster
-/// where they may be. Every level of SIMD gives the bits of the plain way (ig/geometry/project.cpp): single IEEE 754
-/// operations in the same order.
+/// where they may be. Every level of SIMD gives the bits of the plain way (see_plainly()): single IEEE 754 operations in the same
+/// order.
 
 #include "database/model/vectors.h"
 #include "database/model/visual_database.h"
@@ -17,6 +17,8 @@ namespace linkdig::ig {
 
 /// On which sides of the frustum a vertex lies outside, and whether it lies outside the guard band.
 enum Outside : std::uint8_t { before_near = 1, left_of = 2, right_of = 4, below = 8, above = 16, guard = 32 };
+
+inline constexpr std::int32_t frustum_sides = before_near | left_of | right_of | below | above;
 
 /// z >= near_plane_m at w = 1; a direction (w = 0) must point a little forward, so that it lands somewhere. Between the
 /// two, on an edge to infinity that passes the eye far from its near end (w is about that end's distance to the minus 1),
@@ -49,7 +51,7 @@ struct alignas(16) SeenVertex {
 /// near each other have corners near each other.
 inline constexpr std::uint32_t vertices_together = 8;
 
-/// Sees these groups of the block's vertices, into `seen`, parallel to them.
+/// Sees these groups of the block's vertices, into `seen`, parallel to them. The last one may lack some.
 void see_vertices(const BlockView& view, std::span<const std::uint32_t> groups, SeenVertex* seen);
 
 /// Least and greatest of some indices.

@@ -6,8 +6,6 @@ namespace linkdig::ig {
 
 namespace {
 
-constexpr std::int32_t frustum_sides = before_near | left_of | right_of | below | above;
-
 /// Twice the signed area, in (element, line), between a side or diagonal and another one.
 std::int64_t cross(const RasterPoint& from, const RasterPoint& to, const RasterPoint& other_from,
                    const RasterPoint& other_to) {
