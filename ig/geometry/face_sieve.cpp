@@ -2,6 +2,7 @@
 
 #include "ig/simd/simd_level.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <limits>

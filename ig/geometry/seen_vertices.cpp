@@ -1,5 +1,7 @@
 #include "ig/geometry/seen_vertices.h"
 
+#include "ig/simd/simd_level.h"
+
 #include <algorithm>
 
 namespace linkdig::ig {
@@ -18,7 +20,7 @@ void SeenVertices::enter(const BlockView& view) {
 }
 
 void SeenVertices::see_corners(std::uint32_t first, std::uint32_t count) {
-    if (!see_range(first, count)) {
+    if (simd_is_off() || !see_range(first, count)) {
         const FaceBlock& block = *view_->block;
         for (std::uint32_t f = first; f < first + count; ++f) {
             const std::uint32_t* corners = block.corners.data() + block.faces[f].first_corner;
