@@ -8,9 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <bit>
-#include <limits>
+#include <cmath>
+#include <string>
+#include <vector>
 
 namespace linkdig::ig {
 namespace {
@@ -95,7 +96,10 @@ void add_face(RandomBlock& block, RandomStream& random) {
     Face face;
     const std::uint32_t count = random.one_in(8) ? static_cast<std::uint32_t>(random.integer(5, 11))
                                                  : static_cast<std::uint32_t>(random.integer(3, 4));
-    if (random.one_in(10)) block.corners.push_back(0), block.colours.emplace_back(); // a gap
+    if (random.one_in(10)) { // a gap: corners do not always follow each other
+        block.corners.push_back(0);
+        block.colours.emplace_back();
+    }
     face.first_corner = static_cast<std::uint32_t>(block.corners.size());
     face.corner_count = static_cast<std::uint16_t>(count);
     add_corners(block, random, count);
