@@ -1,8 +1,8 @@
 #include "ig/geometry/project.h"
 
-#include "ig/floor.h"
 #include "ig/geometry/depth_plane.h"
 #include "ig/geometry/project_lights.h"
+#include "ig/geometry/whole_faces.h"
 #include "ig/simd/simd_level.h"
 
 #include <algorithm>
@@ -13,19 +13,9 @@ namespace linkdig::ig {
 
 namespace {
 
-constexpr std::uint8_t frustum_sides = before_near | left_of | right_of | below | above;
-
 /// A smooth-shaded triangle that reaches the near plane is cut into 4^2 before it is clipped: the screen's
 /// interpolation has no meaning across the eye, and small pieces bound what it gets wrong.
 constexpr int near_subdivisions = 2;
-
-constexpr ClipPlane near_plane{.c = 1.0, .e = least_forward - near_plane_m, .constant = -least_forward};
-
-/// To the nearest whole number. |value| < 2^62.
-double snap(double value) { return static_cast<double>(floor_of(value + 0.5)); }
-
-/// Faces whose vertices are seen together.
-constexpr std::uint32_t faces_ahead = 32;
 
 /// Of a face's depth plane: not made yet.
 constexpr std::int32_t wanted = -2;
@@ -61,11 +51,11 @@ public:
             fade_ = level_opacity(active_, run.level);
             level_ = fade_ < opaque ? run.level : none;
             std::uint32_t lights_put = lights_before(run, begin);
-            for (std::uint32_t f = begin; f < end; ++f) {
-                if ((f - begin) % faces_ahead == 0)
-                    see_ahead(run.first_face + f, std::min(end - f, faces_ahead));
+            for (std::uint32_t f = begin; f < end;) {
                 put_lights(run, f, lights_put);
-                put_face(run.first_face + f);
+                const std::uint32_t count = std::min(before_light(run, lights_put, end) - f, faces_together);
+                put_faces(run.first_face + f, count);
+                f += count;
             }
             if (end == run.face_count) put_lights(run, end, lights_put);
         }
@@ -75,22 +65,20 @@ private:
     void enter(std::uint32_t block) {
         block_index_ = block;
         block_ = &active_.blocks[block];
-        if (scratch_.seen.size() < block_->vertices.size()) scratch_.seen.resize(block_->vertices.size());
-        if (++scratch_.stamp == 0) { // wrapped round: forget the old marks
-            for (SeenVertex& seen : scratch_.seen)
-                seen.stamp = 0;
-            scratch_.stamp = 1;
-        }
         added_to_ = active_.database->lists[block_->list].added_to;
-        channel_from_list_ = view_.channel_from_world * block_->world_from_list;
-        origin_ = block_->at_eye ? Vec3d(0) : view_.channel_from_world * (block_->origin_m - view_.eye_m);
-        lights_.enter(channel_from_list_, origin_, block_->at_eye);
+        sight_.view = &view_;
+        sight_.block = block_;
+        sight_.channel_from_list = view_.channel_from_world * block_->world_from_list;
+        sight_.origin =
+            block_->at_eye ? Vec3d(0) : view_.channel_from_world * (block_->origin_m - view_.eye_m);
+        scratch_.seen.enter(sight_);
+        lights_.enter(sight_.channel_from_list, sight_.origin, block_->at_eye);
     }
 
     /// Bounding sphere against the frustum's planes.
     bool in_sight(const FaceRun& run) const {
         if (run.radius < 0.0F) return true;
-        const Vec3d c = channel_from_list_ * Vec3d(run.centre) + origin_;
+        const Vec3d c = sight_.channel_from_list * Vec3d(run.centre) + sight_.origin;
         const double r = static_cast<double>(run.radius);
         return c.z + r >= near_plane_m && c.x - view_.left * c.z >= -r * side_length_[0] &&
                view_.right * c.z - c.x >= -r * side_length_[1] &&
@@ -112,97 +100,73 @@ private:
             lights_.put(block_->lights, run.first_light + put, fade_);
     }
 
+    /// The end of the faces that stand before the next light point.
+    std::uint32_t before_light(const FaceRun& run, std::uint32_t put, std::uint32_t end) const {
+        return put < run.light_count ? std::min(block_->lights[run.first_light + put].place, end) : end;
+    }
+
     // ---- vertices
     // ------------------------------------------------------------------------------------------------
 
-    /// The vertices of these faces that have not been seen yet, many at a time.
-    void see_ahead(std::uint32_t first_face, std::uint32_t count) {
-        if (simd_is_off()) return;
-        VertexBatch& batch = scratch_.batch;
-        for (std::uint32_t f = first_face; f < first_face + count; ++f) {
-            const Face& face = block_->faces[f];
-            const std::uint32_t* corners = block_->corners.data() + face.first_corner;
-            for (std::uint32_t k = 0; k < face.corner_count; ++k) {
-                std::uint32_t& stamp = scratch_.seen[corners[k]].stamp;
-                if (stamp == scratch_.stamp) continue;
-                stamp = scratch_.stamp;
-                batch.add(corners[k], block_->vertices[corners[k]]);
-                if (batch.full()) take_in(batch);
-            }
-        }
-        take_in(batch);
-    }
-
-    void take_in(VertexBatch& batch) {
-        see_batch({&view_, block_, channel_from_list_, origin_}, batch);
-        for (std::size_t k = 0; k < batch.count; ++k) {
-            SeenVertex& seen = scratch_.seen[batch.index[k]];
-            seen.snapped = {batch.snapped_line[k], batch.snapped_element[k]};
-            seen.outside = static_cast<std::uint8_t>(batch.outside[k]);
-            seen.intensity = batch.intensity[k];
-            seen.lit = true;
-        }
-        batch.count = 0;
-    }
-
-    SeenVertex& see(std::uint32_t index) {
-        SeenVertex& seen = scratch_.seen[index];
-        if (seen.stamp == scratch_.stamp) return seen;
-        seen.stamp = scratch_.stamp;
-        seen.lit = false;
-        const ClipPoint point = point_of(index);
-        seen.outside = outside(point);
-        if ((seen.outside & before_near) == 0) place(point, seen);
-        return seen;
-    }
-
     /// In the channel frame, worked out anew: few vertices are asked for theirs.
     ClipPoint point_of(std::uint32_t index, std::int32_t intensity = 0) const {
-        const Vec4f& position = block_->vertices[index].position;
-        const Vec3d p = channel_from_list_ * Vec3d(position) + static_cast<double>(position.w) * origin_;
-        return {p.x, p.y, p.z, static_cast<double>(position.w), static_cast<double>(intensity)};
+        return channel_point(sight_, block_->vertices[index].position, intensity);
     }
 
-    /// One that see() has been asked for since the block was entered.
-    SeenVertex& seen_of(std::uint32_t index) { return scratch_.seen[index]; }
+    /// One that has been seen since the block was entered.
+    const SeenVertex& seen_of(std::uint32_t index) const { return scratch_.seen[index]; }
 
-    std::uint8_t outside(const ClipPoint& p) const {
-        std::uint8_t sides = 0;
-        if (near_plane(p) < 0.0) sides |= before_near;
-        if (p.x < view_.left * p.z) sides |= left_of;
-        if (p.x > view_.right * p.z) sides |= right_of;
-        if (p.y < view_.bottom * p.z) sides |= below;
-        if (p.y > view_.top * p.z) sides |= above;
-        return sides;
-    }
-
-    /// Raster position of a point in front of the near plane, in 1/256 pixel.
     void raster_position(const ClipPoint& p, double& line, double& element) const {
-        const double column = view_.scale.x_scale * (p.x / p.z) + view_.scale.x_offset;
-        const double row = view_.scale.y_scale * (p.y / p.z) + view_.scale.y_offset;
-        line = view_.vertical ? column : row;
-        element = view_.vertical ? row : column;
-    }
-
-    void place(const ClipPoint& point, SeenVertex& seen) const {
-        double line = 0;
-        double element = 0;
-        raster_position(point, line, element);
-        if (std::fabs(line) > guard_limit || std::fabs(element) > guard_limit) {
-            seen.outside |= guard;
-            return;
-        }
-        seen.snapped = {static_cast<std::int32_t>(snap(line)), static_cast<std::int32_t>(snap(element))};
-    }
-
-    void light(SeenVertex& seen, std::uint32_t index) const {
-        if (seen.lit) return;
-        seen.lit = true;
-        seen.intensity = lit_intensity(*block_, block_->vertices[index].normal);
+        ig::raster_position(view_, p, line, element);
     }
 
     // ---- faces
     // ---------------------------------------------------------------------------------------------------
+
+    void put_faces(std::uint32_t first, std::uint32_t count) {
+        scratch_.seen.see_corners(first, count);
+        SiftedFaces& left = scratch_.sifted;
+        if (!sift_faces({last_line_, last_element_, view_.vertical, needs_.low_faces}, *block_,
+                        scratch_.seen.data(), first, count, left)) {
+            for (std::uint32_t f = first; f < first + count; ++f)
+                put_face(f);
+            return;
+        }
+        for (std::uint32_t k = 0; k < left.count;) {
+            std::uint32_t end = k;
+            while (end < left.count && is_whole(left.faces[end]))
+                ++end;
+            if (end > k) put_whole(std::span(left.faces).subspan(k, end - k));
+            k = end;
+            if (k < left.count) put_face(left.faces[k++].face);
+        }
+    }
+
+    bool is_whole(const SiftedFace& sifted) const {
+        const Face& face = block_->faces[sifted.face];
+        return sifted.whole() &&
+               (face.coloured == 0 || block_->colour != none || block_->corner_colours.empty()) &&
+               (active_.object_shed.empty() || active_.object_shed[face.object] == 0);
+    }
+
+    void put_whole(std::span<const SiftedFace> faces) {
+        WholeFaces common{block_, scratch_.seen.data(), last_line_, last_element_, view_.vertical, {}};
+        common.model.block = block_index_;
+        common.model.list = block_->list;
+        common.model.added_to = added_to_;
+        common.model.fade = fade_;
+        common.model.level = level_;
+        std::size_t f = out_.faces.size();
+        put_whole_faces(common, faces, out_);
+        if (!needs_.depth || block_->at_eye) return;
+        for (std::uint32_t before = ~0U; f < out_.faces.size(); ++f) {
+            if (out_.faces[f].face != before) {
+                face_index_ = before = out_.faces[f].face;
+                depth_ = put_depth();
+            }
+            out_.faces[f].depth = depth_;
+        }
+    }
 
     void put_face(std::uint32_t f) {
         const Face& face = block_->faces[f];
@@ -212,12 +176,12 @@ private:
         opacity_ = face.opacity;
         colour_ = block_->colour == none ? face.colour : static_cast<std::uint16_t>(block_->colour);
         const std::uint32_t* corners = block_->corners.data() + face.first_corner;
-        std::uint8_t all = 0xff;
-        std::uint8_t any = 0;
-        const std::int32_t line = first_line_at(see(corners[0]).snapped.line);
+        std::int32_t all = 0xff;
+        std::int32_t any = 0;
+        const std::int32_t line = first_line_at(seen_of(corners[0]).snapped.line);
         std::int32_t other_lines = 0; // stays 0 if no line's centre lies between the corners
         for (std::uint32_t k = 0; k < face.corner_count; ++k) {
-            const SeenVertex& seen = see(corners[k]);
+            const SeenVertex& seen = seen_of(corners[k]);
             all &= seen.outside;
             any |= seen.outside;
             other_lines |= first_line_at(seen.snapped.line) ^ line;
@@ -247,7 +211,7 @@ private:
     }
 
     void put_flat(const std::uint32_t* corners, std::uint32_t count, std::int32_t intensity) {
-        std::uint8_t any = 0;
+        std::int32_t any = 0;
         for (std::uint32_t k = 0; k < count; ++k)
             any |= seen_of(corners[k]).outside;
         if ((any & (before_near | guard)) == 0) {
@@ -266,10 +230,9 @@ private:
 
     void put_smooth(const std::uint32_t* corners, std::uint32_t count) {
         bool level = true;
-        std::uint8_t any = 0;
+        std::int32_t any = 0;
         for (std::uint32_t k = 0; k < count; ++k) {
             any |= seen_of(corners[k]).outside;
-            light(seen_of(corners[k]), corners[k]);
             level = level && seen_of(corners[k]).intensity == seen_of(corners[0]).intensity;
         }
         if (level && (any & before_near) == 0) {
@@ -326,10 +289,10 @@ private:
     }
 
     void put_triangle(const std::array<Corner, 3>& corners) {
-        const std::uint8_t sides[3] = {corners[0].seen->outside, corners[1].seen->outside,
+        const std::int32_t sides[3] = {corners[0].seen->outside, corners[1].seen->outside,
                                        corners[2].seen->outside};
         if ((sides[0] & sides[1] & sides[2] & frustum_sides) != 0) return;
-        const std::uint8_t any = sides[0] | sides[1] | sides[2];
+        const std::int32_t any = sides[0] | sides[1] | sides[2];
         if ((any & before_near) != 0) {
             put_subdivided({point_of(corners[0]), point_of(corners[1]), point_of(corners[2])},
                            near_subdivisions);
@@ -518,8 +481,7 @@ private:
 
     const FaceBlock* block_ = nullptr;
     std::uint32_t block_index_ = 0;
-    Mat3d channel_from_list_{1.0};
-    Vec3d origin_{0}; ///< of the list, channel frame
+    BlockView sight_; ///< of the block
     std::uint32_t face_index_ = 0;
     std::int32_t depth_ = -1;      ///< or wanted, until a piece of the face is put out
     std::int32_t added_to_ = none; ///< of the block's list
@@ -532,13 +494,6 @@ private:
 };
 
 } // namespace
-
-std::int32_t lit_intensity(const FaceBlock& block, const Vec3f& normal) {
-    const float cosine = normal.x * block.sun.x + normal.y * block.sun.y + normal.z * block.sun.z;
-    const float intensity = block.ambient + block.diffuse * std::max(0.0F, cosine);
-    return static_cast<std::int32_t>(std::clamp(intensity, 0.0F, 1.0F) * static_cast<float>(intensity_one) +
-                                     0.5F);
-}
 
 void project(const ActiveDatabase& active, const PriorityOrder& order, const OrderPart& part,
              const ChannelView& channel, const Raster& raster, const GeometryNeeds& needs,

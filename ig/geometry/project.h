@@ -9,27 +9,18 @@
 #include "ig/active/face_block.h"
 #include "ig/configuration.h"
 #include "ig/geometry/clip.h"
+#include "ig/geometry/face_sieve.h"
 #include "ig/geometry/parts.h"
 #include "ig/geometry/projected_face.h"
-#include "ig/geometry/vertex_batch.h"
+#include "ig/geometry/seen_vertices.h"
 #include "ig/geometry/view.h"
 #include "ig/priority/ranked_run.h"
 
 namespace linkdig::ig {
 
-/// A vertex as the channel sees it, computed once per block. Small, because a face's lie far apart.
-struct SeenVertex {
-    RasterPoint snapped;        ///< meaningful in front of the near plane and inside the guard band
-    std::uint32_t stamp = 0;    ///< block visit it was computed for
-    std::int32_t intensity = 0; ///< 1.0 = 2^22
-    std::uint8_t outside = 0;   ///< Outside
-    bool lit = false;           ///< the intensity is there
-};
-
 struct GeometryScratch {
-    std::vector<SeenVertex> seen;
-    VertexBatch batch;
-    std::uint32_t stamp = 0;
+    SeenVertices seen;
+    SiftedFaces sifted;
     std::vector<ClipPoint> whole; ///< the face as it came
     std::vector<ClipPoint> polygon;
     std::vector<ClipPoint> spare;
@@ -46,9 +37,5 @@ struct GeometryNeeds {
 void project(const ActiveDatabase& active, const PriorityOrder& order, const OrderPart& part,
              const ChannelView& channel, const Raster& raster, const GeometryNeeds& needs,
              GeometryScratch& scratch, ProjectedFaces& projected);
-
-/// Intensity of a normal under a block's light: ambient + diffuse * max(0, n.s), clamped to [0, 1], 1.0 =
-/// 2^22.
-std::int32_t lit_intensity(const FaceBlock& block, const Vec3f& normal);
 
 } // namespace linkdig::ig
