@@ -66,6 +66,7 @@ struct Channel {
     Splats splats;
     Bands bands;
     Air air;
+    std::vector<FaceAir> face_air;
     std::vector<BandCounts> counts;
     std::vector<std::int64_t> on_line;
     VideoFrame picture;
@@ -223,6 +224,8 @@ struct Machine::State {
             [&] { make_splats(channel.projected.lights, raster, band_lines, channel.splats); });
         run(&StageTimes::bands_s, [&] { sort_into_bands(channel.edges, raster.lines(), channel.bands); });
         open_frame(raster, intensity_plane, rank_plane, channel.picture);
+        run(&StageTimes::video_s,
+            [&] { judge_air(channel.projected, channel.edges, channel.air, channel.face_air); });
         draw_bands(channel);
         tell(channel, counts);
         count_wake_edges(channel);
@@ -293,7 +296,8 @@ struct Machine::State {
     }
 
     VideoInput video_input(const Channel& channel) const {
-        return {&channel.projected, &channel.edges, colours, background, &channel.air, database.colours};
+        return {&channel.projected, &channel.edges,   colours,         background,
+                &channel.air,       database.colours, channel.face_air};
     }
 
     void draw_bands(Channel& channel) {

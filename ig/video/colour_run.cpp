@@ -1,7 +1,6 @@
 #include "ig/video/colour_run.h"
 
 #include "ig/edges/edges.h"
-#include "ig/video/inverse_range.h"
 
 namespace linkdig::ig {
 
@@ -40,12 +39,12 @@ void colour_run(const IntensityPlane* planes, std::int32_t line, std::int32_t el
         pixels[k] = shade(tint_at(planes, line, element + static_cast<std::int32_t>(k)));
 }
 
-void colour_run_in_air(const IntensityPlane* planes, const DepthPlane* depth, std::int32_t transmission,
+void colour_run_in_air(const IntensityPlane* planes, const FaceAir& face_air, const DepthPlane& depth,
                        const Air& air, std::int32_t line, std::int32_t element, std::uint32_t count,
                        std::uint32_t* pixels) {
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::int32_t at = element + static_cast<std::int32_t>(k);
-        const std::int32_t t = depth == nullptr ? transmission : transmission_of(*depth, air, line, at);
+        const std::int32_t t = transmission_of(face_air, depth, air, line, at);
         const Components seen = through_air(lit(tint_at(planes, line, at)), t, air.horizon());
         pixels[k] = (seen.red + 64U) >> 7U | (seen.green + 64U) >> 7U << 8U | (seen.blue + 64U) >> 7U << 16U |
                     0xff000000U;

@@ -25,8 +25,8 @@ std::uint32_t shade(const Tint& tint);
 void colour_run(const IntensityPlane* planes, std::int32_t line, std::int32_t element, std::uint32_t count,
                 std::uint32_t* pixels);
 
-/// Through air whose transmission over the face is flat (`depth` null), or taken at every pixel.
-void colour_run_in_air(const IntensityPlane* planes, const DepthPlane* depth, std::int32_t transmission,
+/// Through the air before the face, of these planes and this depth.
+void colour_run_in_air(const IntensityPlane* planes, const FaceAir& face_air, const DepthPlane& depth,
                        const Air& air, std::int32_t line, std::int32_t element, std::uint32_t count,
                        std::uint32_t* pixels);
 

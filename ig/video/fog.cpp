@@ -25,7 +25,11 @@ void Air::make_rays(const PictureScale& scale, const Raster& raster) {
     made_raster_ = raster;
     rays_of_line_ = raster.elements() + rays_behind;
     const bool vertical = raster.scan == Scan::vertical;
-    const double tangent_step = 256.0 / std::fabs(vertical ? scale.y_scale : scale.x_scale);
+    const double column_slope = 256.0 / scale.x_scale, column_start = (128.0 - scale.x_offset) / scale.x_scale;
+    const double row_slope = 256.0 / scale.y_scale, row_start = (128.0 - scale.y_offset) / scale.y_scale;
+    slopes_ = vertical ? AirRays{row_start, row_slope, column_start, column_slope}
+                       : AirRays{column_start, column_slope, row_start, row_slope};
+    const double tangent_step = std::fabs(slopes_.element_slope);
     for (int bits = shortest_stretch_bits; bits <= longest_stretch_bits; ++bits)
         little_change_[static_cast<std::size_t>(bits)] = static_cast<float>(1.0 / (8 << bits) - tangent_step);
     rays_.resize(std::size_t{raster.lines()} * rays_of_line_ + rays_padding, 1.0F);

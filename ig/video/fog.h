@@ -38,17 +38,26 @@ inline constexpr float most_octaves = 24.0F;
 inline constexpr std::array<float, 5> falling_octave{1.0F, -0.6930558712921329F, 0.23940567652597328F,
                                                      -0.05312767876381903F, 0.006777873529978617F};
 
-/// Transmission over a range of `octaves` in [0, most_octaves], 15 bits. The inner loops do the same, step by step.
-inline std::int32_t transmission_over(float octaves) {
+/// What is left of the light, 1.0 at first, over a range of `octaves` in [0, most_octaves].
+inline float light_left(float octaves) {
     const auto whole = static_cast<std::int32_t>(octaves);
     const float part = octaves - static_cast<float>(whole);
     float power = falling_octave[4];
     for (int k = 3; k >= 0; --k)
         power = power * part + falling_octave[static_cast<std::size_t>(k)];
-    const auto halved =
-        std::bit_cast<float>(std::bit_cast<std::int32_t>(power) - (whole << 23)); // by its exponent
-    return static_cast<std::int32_t>(halved * static_cast<float>(transmission_one) + 0.5F);
+    return std::bit_cast<float>(std::bit_cast<std::int32_t>(power) - (whole << 23)); // halved by its exponent
 }
+
+/// The same with 15 bits. The inner loops do the same, step by step.
+inline std::int32_t transmission_over(float octaves) {
+    return static_cast<std::int32_t>(light_left(octaves) * static_cast<float>(transmission_one) + 0.5F);
+}
+
+/// Tangents of a pixel's ray: start + n * slope, n the number of its element, of its line.
+struct AirRays {
+    double element_start = 0, element_slope = 0;
+    double line_start = 0, line_slope = 0;
+};
 
 /// A channel's air for one frame. Ray lengths are rebuilt only when what they depend on changes.
 class Air {
@@ -60,6 +69,7 @@ public:
     Colour horizon() const { return horizon_; }
     /// Range over which half of the light is lost, metres.
     double m_per_octave() const { return m_per_octave_; }
+    const AirRays& ray_slopes() const { return slopes_; }
     /// Ray lengths of a line's elements, and rays_behind more: range = z * ray length.
     const float* rays(std::uint32_t line) const { return rays_.data() + std::size_t{line} * rays_of_line_; }
 
@@ -80,6 +90,7 @@ private:
     double visibility_m_ = 0.0;
     Colour horizon_;
     double m_per_octave_ = 0.0;
+    AirRays slopes_;
     std::vector<float> rays_;
     std::uint32_t rays_of_line_ = 0;
     std::array<float, longest_stretch_bits + 1> little_change_{};

@@ -37,24 +37,31 @@ void shade_plainly(const IntensityPlane& plane, Colour colour, std::span<const S
     });
 }
 
-/// A band's faces, one after the other, as shade_faces(): `level` and `sloping` are given a face's runs, its colour code, and its
-/// intensity or plane.
-template <typename Level, typename Sloping>
-[[gnu::always_inline]] inline std::size_t for_faces(const BandFaces& band, std::size_t from, Level level,
-                                                    Sloping sloping) {
+/// Of all the runs of a face the same.
+bool is_level(const IntensityPlane& plane) { return plane.least == plane.greatest; }
+
+/// A band's faces, one after the other, as shade_faces(). `clear` is given a face's runs, its colour code and its plane, `hazy`
+/// the plane of the transmission, too.
+template <typename Clear, typename Hazy>
+[[gnu::always_inline]] inline std::size_t for_faces(const BandFaces& band, std::size_t from, Clear clear,
+                                                    Hazy hazy) {
     constexpr std::size_t faces_ahead = 12; // they stand far apart
     std::uint32_t begin = from == 0 ? 0 : band.faces[from - 1].end;
     for (std::size_t k = from; k < band.faces.size(); ++k) {
-        if (k + faces_ahead < band.faces.size()) prefetch(&band.shadings[band.faces[k + faces_ahead].face]);
-        const FaceShading& shading = band.shadings[band.faces[k].face];
-        if (shading.coloured || (shading.through_air && !band.clear)) return k;
+        if (k + faces_ahead < band.faces.size()) {
+            prefetch(&band.shadings[band.faces[k + faces_ahead].face]);
+            if (!band.air.empty()) prefetch(&band.air[band.faces[k + faces_ahead].face]);
+        }
+        const std::uint32_t rank = band.faces[k].face;
+        const FaceShading& shading = band.shadings[rank];
+        const bool in_air = !band.air.empty() && band.air[rank].kind != AirKind::clear;
+        if (shading.coloured || (in_air && band.air[rank].kind == AirKind::by_pixel)) return k;
         const std::span<const Segment> runs = band.segments.subspan(begin, band.faces[k].end - begin);
         begin = band.faces[k].end;
-        const Colour colour = band.colours[shading.colour];
-        if (shading.plane.least == shading.plane.greatest) {
-            level(runs, colour, shading.plane.least);
+        if (in_air) {
+            hazy(runs, band.colours[shading.colour], shading.plane, band.air[rank].transmission);
         } else {
-            sloping(runs, colour, shading.plane);
+            clear(runs, band.colours[shading.colour], shading.plane);
         }
     }
     return band.faces.size();
@@ -65,10 +72,10 @@ void fill_plainly(std::uint32_t pixel, std::span<const Segment> runs, const Band
         std::fill_n(pixels.at(run), run.count, pixel);
 }
 
-void shade_plainly_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission,
+void shade_plainly_in_haze(const IntensityPlane& plane, Colour colour, const IntensityPlane& transmission,
                            Colour horizon, std::span<const Segment> runs, const BandPixels& pixels) {
-    shade_one_by_one(plane, runs, pixels, [&](std::int32_t, std::int32_t, std::int32_t intensity) {
-        return shade_through_air(colour, intensity, transmission, horizon);
+    shade_one_by_one(plane, runs, pixels, [&](std::int32_t line, std::int32_t element, std::int32_t intensity) {
+        return shade_through_air(colour, intensity, planar_transmission(transmission, line, element), horizon);
     });
 }
 
@@ -96,11 +103,12 @@ void shade_plainly_in_air(const IntensityPlane& plane, Colour colour, const Dept
 std::size_t shade_faces_plainly(const BandFaces& faces, std::size_t from, const BandPixels& pixels) {
     return for_faces(
         faces, from,
-        [&](std::span<const Segment> runs, Colour colour, std::int32_t intensity) {
-            fill_plainly(shade(colour, intensity), runs, pixels);
-        },
         [&](std::span<const Segment> runs, Colour colour, const IntensityPlane& plane) {
             shade_plainly(plane, colour, runs, pixels);
+        },
+        [&](std::span<const Segment> runs, Colour colour, const IntensityPlane& plane,
+            const IntensityPlane& transmission) {
+            shade_plainly_in_haze(plane, colour, transmission, faces.horizon, runs, pixels);
         });
 }
 
@@ -316,25 +324,46 @@ void FillRuns(std::uint32_t value, const Segment* run, std::size_t runs, const B
     }
 }
 
+template <typename Intensity>
+HWY_INLINE void ShadeHazy(const IntensityPlane& plane, Colour colour, const IntensityPlane& transmission,
+                          Colour horizon, const Segment* run, std::size_t runs, const BandPixels& pixels) {
+    const AirMixer mixer(colour, horizon);
+    Intensity intensity(plane);
+    Intensities left(transmission);
+    for (const Segment* end = run + runs; run != end; ++run) {
+        intensity.Begin(run->line, run->first);
+        left.Begin(run->line, run->first);
+        FillRun(pixels.at(*run), run->count,
+                [&](std::size_t) HWY_ATTR { return mixer.Seen(intensity.Next(), left.Next()); });
+    }
+}
+
+void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, const IntensityPlane& transmission,
+                     Colour horizon, const Segment* run, std::size_t runs, const BandPixels& pixels) {
+    if (!is_level(plane)) {
+        ShadeHazy<Intensities>(plane, colour, transmission, horizon, run, runs, pixels);
+    } else if (transmission.along != 0 || transmission.across != 0) {
+        ShadeHazy<LevelIntensity>(plane, colour, transmission, horizon, run, runs, pixels);
+    } else {
+        const std::int32_t t = planar_transmission(transmission, transmission.reference_line, transmission.reference_element);
+        FillRuns(shade_through_air(colour, plane.least, t, horizon), run, runs, pixels);
+    }
+}
+
 std::size_t ShadeFaces(const BandFaces& faces, std::size_t from, const BandPixels& pixels) {
     return for_faces(
         faces, from,
-        [&](std::span<const Segment> runs, Colour colour, std::int32_t intensity)
-            HWY_ATTR { FillRuns(shade(colour, intensity), runs.data(), runs.size(), pixels); },
-        [&](std::span<const Segment> runs, Colour colour, const IntensityPlane& plane)
-            HWY_ATTR { ShadeRuns(plane, colour, runs.data(), runs.size(), pixels); });
-}
-
-void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
-                     const Segment* run, std::size_t runs, const BandPixels& pixels) {
-    const AirMixer mixer(colour, horizon);
-    const auto t = BothHalves(hn::Set(I32(), transmission));
-    Intensities intensities(plane);
-    for (const Segment* end = run + runs; run != end; ++run) {
-        intensities.Begin(run->line, run->first);
-        FillRun(pixels.at(*run), run->count,
-                [&](std::size_t) HWY_ATTR { return mixer.Seen(intensities.Next(), t); });
-    }
+        [&](std::span<const Segment> runs, Colour colour, const IntensityPlane& plane) HWY_ATTR {
+            if (is_level(plane)) {
+                FillRuns(shade(colour, plane.least), runs.data(), runs.size(), pixels);
+            } else {
+                ShadeRuns(plane, colour, runs.data(), runs.size(), pixels);
+            }
+        },
+        [&](std::span<const Segment> runs, Colour colour, const IntensityPlane& plane,
+            const IntensityPlane& transmission) HWY_ATTR {
+            ShadeRunsInHaze(plane, colour, transmission, faces.horizon, runs.data(), runs.size(), pixels);
+        });
 }
 
 /// A run, its transmission taken at every pixel.
@@ -398,8 +427,8 @@ void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, s
 void FillRuns(std::uint32_t value, const Segment* run, std::size_t runs, const BandPixels& pixels) {
     fill_plainly(value, {run, runs}, pixels);
 }
-void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
-                     const Segment* run, std::size_t runs, const BandPixels& pixels) {
+void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, const IntensityPlane& transmission,
+                     Colour horizon, const Segment* run, std::size_t runs, const BandPixels& pixels) {
     shade_plainly_in_haze(plane, colour, transmission, horizon, {run, runs}, pixels);
 }
 void ShadeRunsInAir(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
@@ -448,8 +477,8 @@ void fill_runs(std::uint32_t pixel, std::span<const Segment> runs, const BandPix
     }
 }
 
-void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
-                        std::span<const Segment> runs, const BandPixels& pixels) {
+void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, const IntensityPlane& transmission,
+                        Colour horizon, std::span<const Segment> runs, const BandPixels& pixels) {
     if (simd_is_off()) {
         shade_plainly_in_haze(plane, colour, transmission, horizon, runs, pixels);
     } else {

@@ -7,6 +7,7 @@
 #include "database/model/visual_database.h"
 #include "ig/edges/edge.h"
 #include "ig/scanline/segment.h"
+#include "ig/video/face_air.h"
 #include "ig/video/fog.h"
 
 #include <cstddef>
@@ -52,11 +53,12 @@ struct BandFaces {
     std::span<const Segment> segments; ///< of all of them
     std::span<const FaceShading> shadings;
     std::span<const Colour> colours;
-    bool clear = true; ///< no air plays a part
+    std::span<const FaceAir> air; ///< none: no air plays a part
+    Colour horizon;
 };
 
-/// Shades faces from number `from` on, until one comes that has more than one colour code, or air before it. Returns the number of
-/// that one, or of faces.
+/// Shades faces from number `from` on, until one comes that has more than one colour code, or air that is taken pixel by pixel.
+/// Returns the number of that one, or of faces.
 std::size_t shade_faces(const BandFaces& faces, std::size_t from, const BandPixels& pixels);
 
 /// A colour before it is rounded to levels: components with 7 fraction bits, 0 to 255 * 128.
@@ -89,9 +91,9 @@ inline std::uint32_t shade_through_air(Colour colour, std::int32_t intensity, st
            0xff000000U;
 }
 
-/// Shades runs of one face through air of one transmission.
-void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, std::int32_t transmission, Colour horizon,
-                        std::span<const Segment> runs, const BandPixels& pixels);
+/// Shades runs of one face through air whose transmission is a plane as its intensity is, 1.0 = 2^22.
+void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, const IntensityPlane& transmission,
+                        Colour horizon, std::span<const Segment> runs, const BandPixels& pixels);
 
 /// Shades runs of one face whose range is taken at every pixel, or every few where it changes little (air_samples.h).
 void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,

@@ -2,7 +2,6 @@
 
 #include "ig/edges/edges.h"
 #include "ig/video/colour_run.h"
-#include "ig/video/inverse_range.h"
 
 #include <algorithm>
 
@@ -24,7 +23,7 @@ Seen see(const VideoInput& input, std::uint32_t rank, std::uint32_t line, std::u
     const Air& air = *input.air;
     if (air.clear() || face.depth < 0) return seen;
     const DepthPlane& depth = input.projected->depths[static_cast<std::size_t>(face.depth)];
-    if (!air.is_flat(depth, seen.transmission)) seen.transmission = transmission_of(depth, air, l, e);
+    seen.transmission = transmission_of(input.face_air[rank], depth, air, l, e);
     seen.light = through_air(seen.light, seen.transmission, face.added_to != none ? Colour{} : air.horizon());
     return seen;
 }

@@ -41,21 +41,41 @@ namespace hn = hwy::HWY_NAMESPACE;
 using SumI = hn::CappedTag<std::int32_t, 16>; // the paddings have room for 16
 using SumU = hn::Repartition<std::uint32_t, SumI>;
 
+/// A plane along a run: its values clamped, with 15 bits.
+struct Along {
+    HWY_INLINE explicit Along(const IntensityPlane& plane)
+        : plane_(plane), least(hn::Set(SumI(), plane.least)), greatest(hn::Set(SumI(), plane.greatest)),
+          one(hn::Set(SumI(), 32767)),
+          ramp(hn::Mul(hn::Iota(SumI(), 0), hn::Set(SumI(), static_cast<std::int32_t>(plane.along)))),
+          step(hn::Set(SumI(), static_cast<std::int32_t>(plane.along * static_cast<std::uint32_t>(hn::Lanes(SumI()))))),
+          at(ramp) {}
+    HWY_INLINE void Begin(std::int32_t line, std::int32_t element) {
+        at = hn::Add(hn::Set(SumI(), static_cast<std::int32_t>(value_at(plane_, line, element))), ramp);
+    }
+    HWY_INLINE hn::Vec<SumI> Next() {
+        const auto clamped = hn::Max(least, hn::Min(at, greatest));
+        at = hn::Add(at, step);
+        return hn::Min(hn::ShiftRight<7>(clamped), one);
+    }
+    const IntensityPlane& plane_;
+    hn::Vec<SumI> least, greatest, one, ramp, step, at;
+};
+
 /// A component of lit(), and of through_air() where there is air.
 struct Lighter {
-    HWY_INLINE Lighter(std::uint8_t code, std::uint8_t horizon, std::int32_t transmission)
-        : code_(hn::Set(SumU(), static_cast<std::uint32_t>(code) << 7U)), t_(hn::Set(SumI(), transmission)),
-          air_(hn::Set(SumI(), std::int32_t{horizon} << 7)), in_air_(transmission >= 0) {}
-    HWY_INLINE hn::Vec<SumU> At(hn::Vec<SumU> scale) const {
-        const auto shown = hn::ShiftRight<15>(hn::Add(hn::Mul(code_, scale), hn::Set(SumU(), 1U << 14U)));
-        if (!in_air_) return shown;
-        const auto left = hn::Mul(hn::Sub(hn::BitCast(SumI(), shown), air_), t_);
+    HWY_INLINE Lighter(std::uint8_t code, std::uint8_t horizon)
+        : code_(hn::Set(SumU(), static_cast<std::uint32_t>(code) << 7U)),
+          air_(hn::Set(SumI(), std::int32_t{horizon} << 7)) {}
+    HWY_INLINE hn::Vec<SumU> Lit(hn::Vec<SumU> scale) const {
+        return hn::ShiftRight<15>(hn::Add(hn::Mul(code_, scale), hn::Set(SumU(), 1U << 14U)));
+    }
+    HWY_INLINE hn::Vec<SumU> ThroughAir(hn::Vec<SumU> shown, hn::Vec<SumI> t) const {
+        const auto left = hn::Mul(hn::Sub(hn::BitCast(SumI(), shown), air_), t);
         const auto rounded = hn::ShiftRight<15>(hn::Add(left, hn::Set(SumI(), 1 << 14)));
         return hn::BitCast(SumU(), hn::Add(rounded, air_));
     }
     hn::Vec<SumU> code_;
-    hn::Vec<SumI> t_, air_;
-    bool in_air_;
+    hn::Vec<SumI> air_;
 };
 
 /// What a vector of one component, and of weights, adds.
@@ -78,34 +98,43 @@ HWY_INLINE void AddLight(std::uint32_t* HWY_RESTRICT light, hn::Vec<SumU> compon
 }
 
 /// The runs a vector at a time: add(place, red, green, blue, weight).
-template <typename Add>
-HWY_INLINE void ForRuns(const Runs& runs, const BandSums& sums, Add add) {
-    const SumI di;
+template <bool in_air, typename Add>
+HWY_INLINE void ForRunsIn(const Runs& runs, const BandSums& sums, Add add) {
     const SumU du;
-    const std::size_t lanes = hn::Lanes(di);
-    const IntensityPlane& plane = runs.colour.plane;
-    const auto least = hn::Set(di, plane.least);
-    const auto greatest = hn::Set(di, plane.greatest);
-    const auto one = hn::Set(di, 32767);
-    const auto ramp = hn::Mul(hn::Iota(di, 0), hn::Set(di, static_cast<std::int32_t>(plane.along)));
-    const auto step = hn::Set(di, static_cast<std::int32_t>(plane.along * static_cast<std::uint32_t>(lanes)));
+    const std::size_t lanes = hn::Lanes(du);
     const RunColour& colour = runs.colour;
-    const Lighter red(colour.colour.red, colour.horizon.red, colour.transmission);
-    const Lighter green(colour.colour.green, colour.horizon.green, colour.transmission);
-    const Lighter blue(colour.colour.blue, colour.horizon.blue, colour.transmission);
+    Along intensities(colour.plane);
+    Along transmissions(colour.transmission);
+    const Lighter red(colour.colour.red, colour.horizon.red);
+    const Lighter green(colour.colour.green, colour.horizon.green);
+    const Lighter blue(colour.colour.blue, colour.horizon.blue);
     for (const ShareRun *run = runs.first, *end = run + runs.count; run != end; ++run) {
-        auto at =
-            hn::Add(hn::Set(di, static_cast<std::int32_t>(value_at(plane, run->line, run->first))), ramp);
+        intensities.Begin(run->line, run->first);
+        if (in_air) transmissions.Begin(run->line, run->first);
         const std::size_t place = sums.at(run->line, run->first);
         for (std::size_t k = 0; k < run->count; k += lanes) {
-            const auto clamped = hn::Max(least, hn::Min(at, greatest));
-            at = hn::Add(at, step);
-            const auto scale = hn::BitCast(du, hn::Min(hn::ShiftRight<7>(clamped), one));
+            const auto scale = hn::BitCast(du, intensities.Next());
+            auto r = red.Lit(scale), g = green.Lit(scale), b = blue.Lit(scale);
+            if (in_air) {
+                const auto t = transmissions.Next();
+                r = red.ThroughAir(r, t);
+                g = green.ThroughAir(g, t);
+                b = blue.ThroughAir(b, t);
+            }
             // Behind the run's end weights are nought: the sums there stay as they are.
             const auto mine = hn::FirstN(du, std::min<std::size_t>(lanes, run->count - k));
             const auto weight = hn::IfThenElseZero(mine, hn::LoadU(du, runs.weights + run->first_weight + k));
-            add(place + k, red.At(scale), green.At(scale), blue.At(scale), weight);
+            add(place + k, r, g, b, weight);
         }
+    }
+}
+
+template <typename Add>
+HWY_INLINE void ForRuns(const Runs& runs, const BandSums& sums, Add add) {
+    if (runs.colour.in_air) {
+        ForRunsIn<true>(runs, sums, add);
+    } else {
+        ForRunsIn<false>(runs, sums, add);
     }
 }
 
@@ -188,7 +217,11 @@ void for_runs(const Runs& runs, const BandSums& sums, Add add) {
             const auto intensity =
                 std::clamp(static_cast<std::int32_t>(value), colour.plane.least, colour.plane.greatest);
             Components seen = lit(colour.colour, intensity);
-            if (colour.transmission >= 0) seen = through_air(seen, colour.transmission, colour.horizon);
+            if (colour.in_air) {
+                const auto element = static_cast<std::int32_t>(run->first + k);
+                const std::int32_t t = planar_transmission(colour.transmission, run->line, element);
+                seen = through_air(seen, t, colour.horizon);
+            }
             add(place + k, seen, runs.weights[run->first_weight + k]);
         }
     }

@@ -16,7 +16,8 @@ inline constexpr std::uint32_t brightest = 255U << 7U;
 struct RunColour {
     Colour colour;
     IntensityPlane plane;
-    std::int32_t transmission = -1; ///< of the air before it, the same for all its pixels; -1: clear
+    bool in_air = false;
+    IntensityPlane transmission; ///< of the air before it, 1.0 = 2^22, if it is `in_air`
     Colour horizon;
 };
 

@@ -62,7 +62,7 @@ private:
     /// False if the pixels of a face's runs must be looked at one by one.
     bool add_fast(std::span<const ShareRun> runs) {
         const std::uint32_t* const weights = band_.weights.data();
-        RunColour colour{.colour = input_.background, .plane = {}, .horizon = input_.air->horizon()};
+        RunColour colour{.colour = input_.background, .plane = {}, .transmission = {}, .horizon = input_.air->horizon()};
         const std::uint32_t rank = runs.front().face;
         if (rank == background_rank) {
             colour.plane.value = intensity_one;
@@ -94,16 +94,17 @@ private:
         if (face.opacity < opaque) end_light(run);
     }
 
-    /// False if the transmission changes along the face, or it has three interpolants.
+    /// False if the transmission is taken pixel by pixel, or the face has three interpolants.
     bool colour_of(std::uint32_t rank, RunColour& run) const {
         const FaceShading& shading = input_.edges->shadings[rank];
         if (shading.coloured) return false;
         run.colour = input_.colours[shading.colour];
         run.plane = shading.plane;
-        if (input_.air->clear() || !shading.through_air) return true;
-        const ProjectedFace& face = input_.projected->faces[rank];
-        return input_.air->is_flat(input_.projected->depths[static_cast<std::size_t>(face.depth)],
-                                   run.transmission);
+        if (input_.air->clear()) return true;
+        const FaceAir& air = input_.face_air[rank];
+        run.in_air = air.kind != AirKind::clear;
+        run.transmission = air.transmission;
+        return air.kind != AirKind::by_pixel;
     }
 
     // ---- light that is added -------------------------------------------------------------------------------------

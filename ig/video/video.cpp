@@ -21,48 +21,41 @@ void plane_intensities(const Raster& raster, const IntensityPlane& plane, const 
     }
 }
 
-/// The face's depth plane where its range counts, else null.
-const DepthPlane* depth_of(const VideoInput& input, const FaceShading& shading, std::uint32_t rank) {
-    if (input.air->clear() || !shading.through_air) return nullptr;
-    return &input.projected->depths[static_cast<std::size_t>(input.projected->faces[rank].depth)];
+/// The air before a face.
+FaceAir air_of(const VideoInput& input, std::uint32_t rank) {
+    return input.air->clear() ? FaceAir{} : input.face_air[rank];
+}
+
+const DepthPlane& depth_of(const VideoInput& input, std::uint32_t rank) {
+    return input.projected->depths[static_cast<std::size_t>(input.projected->faces[rank].depth)];
 }
 
 /// Runs of one face with one colour code.
-void draw_runs(const VideoInput& input, const FaceShading& shading, const DepthPlane* depth,
+void draw_runs(const VideoInput& input, std::uint32_t rank, const FaceAir& face_air,
                std::span<const Segment> runs, const BandPixels& pixels) {
+    const FaceShading& shading = input.edges->shadings[rank];
     const Colour colour = input.colours[shading.colour];
     const IntensityPlane& intensity = shading.plane;
     const Air& air = *input.air;
-    const bool level = intensity.least == intensity.greatest;
-    if (depth == nullptr) {
-        if (level) {
-            fill_runs(shade(colour, intensity.least), runs, pixels);
-        } else {
-            shade_runs(intensity, colour, runs, pixels);
-        }
-        return;
-    }
-    std::int32_t transmission = 0;
-    if (!air.is_flat(*depth, transmission)) {
-        shade_runs_in_air(intensity, colour, *depth, air, runs, pixels);
-    } else if (level) {
-        fill_runs(shade_through_air(colour, intensity.least, transmission, air.horizon()), runs, pixels);
+    if (face_air.kind == AirKind::by_pixel) {
+        shade_runs_in_air(intensity, colour, depth_of(input, rank), air, runs, pixels);
+    } else if (face_air.kind == AirKind::plane) {
+        shade_runs_in_haze(intensity, colour, face_air.transmission, air.horizon(), runs, pixels);
+    } else if (intensity.least == intensity.greatest) {
+        fill_runs(shade(colour, intensity.least), runs, pixels);
     } else {
-        shade_runs_in_haze(intensity, colour, transmission, air.horizon(), runs, pixels);
+        shade_runs(intensity, colour, runs, pixels);
     }
 }
 
-void draw_coloured_segment(const VideoInput& input, const IntensityPlane* planes, const DepthPlane* depth,
-                           const Segment& segment, std::uint32_t* pixels) {
-    if (depth == nullptr) {
+void draw_coloured_segment(const VideoInput& input, std::uint32_t rank, const FaceAir& face_air,
+                           const IntensityPlane* planes, const Segment& segment, std::uint32_t* pixels) {
+    if (face_air.kind == AirKind::clear) {
         colour_run(planes, segment.line, segment.first, segment.count, pixels);
-        return;
+    } else {
+        colour_run_in_air(planes, face_air, depth_of(input, rank), *input.air, segment.line, segment.first,
+                          segment.count, pixels);
     }
-    const Air& air = *input.air;
-    std::int32_t transmission = 0;
-    const bool flat = air.is_flat(*depth, transmission);
-    colour_run_in_air(planes, flat ? nullptr : depth, transmission, air, segment.line, segment.first,
-                      segment.count, pixels);
 }
 
 /// The brightest of the three interpolants stands for a coloured face in the intensity plane.
@@ -83,16 +76,16 @@ void plane_colours(const Raster& raster, const IntensityPlane* planes, const Seg
 void draw_face(const VideoInput& input, const Raster& raster, std::uint32_t rank,
                std::span<const Segment> runs, const BandPixels& pixels, VideoFrame& frame) {
     const FaceShading& shading = input.edges->shadings[rank];
-    const DepthPlane* const depth = depth_of(input, shading, rank);
+    const FaceAir face_air = air_of(input, rank);
     const IntensityPlane* const tint = shading.coloured ? tint_of(*input.edges, shading).data() : nullptr;
     if (tint == nullptr) {
-        draw_runs(input, shading, depth, runs, pixels);
+        draw_runs(input, rank, face_air, runs, pixels);
         if (frame.rank.empty() && frame.intensity.empty()) return;
     }
     for (const Segment& run : runs) {
         fill_plane(raster, run, static_cast<std::int32_t>(rank), frame.rank);
         if (tint != nullptr) {
-            draw_coloured_segment(input, tint, depth, run, pixels.at(run));
+            draw_coloured_segment(input, rank, face_air, tint, run, pixels.at(run));
             plane_colours(raster, tint, run, frame);
         } else {
             plane_intensities(raster, shading.plane, run, frame);
@@ -105,7 +98,7 @@ LINKDIG_ALWAYS_INLINE void fetch_ahead(const VideoInput& input, std::span<const 
     constexpr std::size_t faces_ahead = 12;
     if (faces.size() <= faces_ahead) return;
     prefetch(&input.edges->shadings[faces[faces_ahead].face]);
-    if (!input.air->clear()) prefetch(&input.projected->faces[faces[faces_ahead].face]);
+    if (!input.air->clear()) prefetch(&input.face_air[faces[faces_ahead].face]);
 }
 
 } // namespace
@@ -122,7 +115,8 @@ void open_frame(const Raster& raster, bool intensity, bool rank, VideoFrame& fra
 void draw_band(const VideoInput& input, const Raster& raster, const BandSegments& band, VideoScratch& scratch,
                VideoFrame& frame) {
     const BeamBuffer beam(raster, band, scratch.lines, frame);
-    const BandFaces faces{band.faces, band.segments, input.edges->shadings, input.colours, input.air->clear()};
+    const BandFaces faces{band.faces,    band.segments,  input.edges->shadings,
+                          input.colours, input.face_air, input.air->horizon()};
     const bool picture_alone = frame.rank.empty() && frame.intensity.empty();
     for (std::size_t k = 0; k < band.faces.size(); ++k) {
         if (picture_alone) k = shade_faces(faces, k, beam.pixels());

@@ -4,6 +4,7 @@
 #include "database/model/visual_database.h"
 #include "ig/edges/edge.h"
 #include "ig/geometry/projected_face.h"
+#include "ig/video/face_air.h"
 #include "ig/video/fog.h"
 
 #include <span>
@@ -17,6 +18,7 @@ struct VideoInput {
     Colour background;
     const Air* air = nullptr;
     std::span<const Colour> light_colours{};
+    std::span<const FaceAir> face_air{}; ///< of judge_air(); none where the air is clear
 };
 
 } // namespace linkdig::ig
