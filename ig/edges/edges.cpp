@@ -90,6 +90,28 @@ void make_outline_edge(const RasterPoint& upper, const RasterPoint& lower, std::
     edge.slope = static_cast<std::int64_t>(fixed_quotient(width * 256, height));
 }
 
+/// A face that touches no line yet; `edges_made` stand before its own.
+EdgeFace face_without_edges(const ProjectedFace& face, std::size_t edges_made, std::int32_t lines) {
+    EdgeFace made;
+    made.first_edge = static_cast<std::uint32_t>(edges_made);
+    made.first_line = lines;
+    made.additive = face.added_to >= 0;
+    made.opacity = face.opacity;
+    made.fade = face.fade;
+    made.level = face.level;
+    made.blends = made.additive || face.opacity < opaque || face.fade < opaque;
+    return made;
+}
+
+/// Of a face that has the same intensity everywhere.
+FaceShading level_shading(const ProjectedFace& face) {
+    return {.plane = {.value = static_cast<std::uint32_t>(face.intensity),
+                      .least = face.intensity,
+                      .greatest = face.intensity},
+            .colour = face.colour,
+            .through_air = face.depth >= 0};
+}
+
 class EdgeMaker {
 public:
     EdgeMaker(const ProjectedFaces& projected, const Raster& raster, bool smoothing, FaceEdges& out)
@@ -156,11 +178,11 @@ private:
         edges_made_ += std::size_t{made.leading} + made.trailing;
     }
 
-    /// The plane's reference is a pixel of the face, so that values stay small. What has no pixel needs no plane.
+    /// The plane's reference is a pixel of the face, so that values stay small.
     void put_shading(const ProjectedFace& face, const RasterPoint& corner, const EdgeFace& made,
                      FaceShading& shading) {
         shading = level_shading(face);
-        if (face.triangle < 0 || (made.leading == 0 && !smoothing_)) return;
+        if (face.triangle < 0) return;
         std::int32_t line = made.first_line;
         std::int32_t element = 0;
         for (std::uint32_t k = 0; k < made.leading; ++k) {
