@@ -275,11 +275,10 @@ HWY_INLINE void MakeSide(Batch& batch, std::size_t k, std::size_t side, Sides& s
     Store(hn::IfThenElse(hn::RebindMask(I64(), there), place, Set(no_place)), batch.place[side], k);
     sides.leading = hn::Add(sides.leading, Count(leading));
     sides.trailing = hn::Add(sides.trailing, Count(hn::AndNot(leads, there)));
-    const M earlier = hn::And(there, hn::Lt(first_line, sides.first_line));
+    // A closed outline crosses its first line upwards, too: one of the leading edges begins there.
     const M reference = hn::And(leading, hn::Le(first_line, sides.first_line));
-    sides.element = hn::IfThenElse(reference, DoubleOf(hn::ShiftRight<crossing_bits>(start)),
-                                   hn::IfThenZeroElse(earlier, sides.element));
-    sides.first_line = hn::IfThenElse(earlier, first_line, sides.first_line);
+    sides.element = hn::IfThenElse(reference, DoubleOf(hn::ShiftRight<crossing_bits>(start)), sides.element);
+    sides.first_line = hn::IfThenElse(there, hn::Min(sides.first_line, first_line), sides.first_line);
     sides.end_line = hn::IfThenElse(there, hn::Max(sides.end_line, end_line), sides.end_line);
 }
 
