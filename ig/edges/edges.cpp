@@ -260,11 +260,10 @@ void append(const FaceEdges& part, FaceEdges& all) {
         added.first_edge += first_edge;
         added.first_outline += first_outline;
     }
-    all.shadings.reserve(all.shadings.size() + part.shadings.size());
-    for (const FaceShading& shading : part.shadings) {
-        FaceShading& added = all.shadings.emplace_back(shading);
-        if (added.coloured) added.plane.value += first_tint;
-    }
+    const std::size_t first_shading = all.shadings.size();
+    all.shadings.insert(all.shadings.end(), part.shadings.begin(), part.shadings.end());
+    for (std::size_t k = first_shading; k < all.shadings.size() && !part.tints.empty(); ++k)
+        if (all.shadings[k].coloured) all.shadings[k].plane.value += first_tint;
     all.edges.insert(all.edges.end(), part.edges.begin(), part.edges.end());
     all.outlines.insert(all.outlines.end(), part.outlines.begin(), part.outlines.end());
     all.tints.insert(all.tints.end(), part.tints.begin(), part.tints.end());

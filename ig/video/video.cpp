@@ -105,7 +105,7 @@ void draw_face(const VideoInput& input, const Raster& raster, std::span<const Se
 
 /// Asks for the faces that are soon needed.
 LINKDIG_ALWAYS_INLINE void fetch_ahead(const VideoInput& input, std::span<const Segment> runs) {
-    constexpr std::size_t faces_ahead = 32;
+    constexpr std::size_t faces_ahead = 64;
     if (runs.size() <= faces_ahead) return;
     prefetch(&input.edges->shadings[runs[faces_ahead].face]);
     if (!input.air->clear()) prefetch(&input.projected->faces[runs[faces_ahead].face]);

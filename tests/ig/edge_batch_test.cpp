@@ -4,6 +4,7 @@
 
 #include "database/model/random.h"
 #include "ig/edges/edges.h"
+#include "ig/geometry/parts.h"
 #include "ig/simd/simd_level.h"
 
 #include <gtest/gtest.h>
@@ -148,6 +149,22 @@ TEST(EdgeBatch, EveryLevelGivesTheSameNumbers) {
         }
     }
     EXPECT_TRUE(use_simd_level("best"));
+}
+
+TEST(EdgeBatch, PartsJoinedAreTheWhole) {
+    ProjectedFaces whole;
+    FaceEdges joined;
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+        const ProjectedFaces projected = random_faces(seed, 200); // some are coloured
+        FaceEdges part;
+        make_edges(projected, raster, false, part);
+        append(part, joined);
+        append(projected, whole);
+    }
+    FaceEdges made;
+    make_edges(whole, raster, false, made);
+    EXPECT_GT(made.tints.size(), 2U);
+    expect_the_same(joined, made);
 }
 
 TEST(EdgeBatch, TakesWhatItIsFor) {
