@@ -24,28 +24,6 @@ inline constexpr std::int64_t crossing_to_start = (std::int64_t{1} << (crossing_
 /// are clamped to the corners' range.
 inline constexpr double plane_bound = 4611686018427387904.0;
 
-/// A face that touches no line yet; `edges_made` stand before its own.
-inline EdgeFace face_without_edges(const ProjectedFace& face, std::size_t edges_made, std::int32_t lines) {
-    EdgeFace made;
-    made.first_edge = static_cast<std::uint32_t>(edges_made);
-    made.first_line = lines;
-    made.additive = face.added_to >= 0;
-    made.opacity = face.opacity;
-    made.fade = face.fade;
-    made.level = face.level;
-    made.blends = made.additive || face.opacity < opaque || face.fade < opaque;
-    return made;
-}
-
-/// Of a face that has the same intensity everywhere.
-inline FaceShading level_shading(const ProjectedFace& face) {
-    return {.plane = {.value = static_cast<std::uint32_t>(face.intensity),
-                      .least = face.intensity,
-                      .greatest = face.intensity},
-            .colour = face.colour,
-            .through_air = face.depth >= 0};
-}
-
 /// Room for `more` edges behind those that are made.
 inline Edge* room_for_edges(FaceEdges& out, std::size_t edges_made, std::size_t more) {
     if (out.edges.size() < edges_made + more) out.edges.resize(edges_made + more);

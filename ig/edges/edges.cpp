@@ -90,6 +90,28 @@ void make_outline_edge(const RasterPoint& upper, const RasterPoint& lower, std::
     edge.slope = static_cast<std::int64_t>(fixed_quotient(width * 256, height));
 }
 
+/// A face that touches no line yet; `edges_made` stand before its own.
+EdgeFace face_without_edges(const ProjectedFace& face, std::size_t edges_made, std::int32_t lines) {
+    EdgeFace made;
+    made.first_edge = static_cast<std::uint32_t>(edges_made);
+    made.first_line = lines;
+    made.additive = face.added_to >= 0;
+    made.opacity = face.opacity;
+    made.fade = face.fade;
+    made.level = face.level;
+    made.blends = made.additive || face.opacity < opaque || face.fade < opaque;
+    return made;
+}
+
+/// Of a face that has the same intensity everywhere.
+FaceShading level_shading(const ProjectedFace& face) {
+    return {.plane = {.value = static_cast<std::uint32_t>(face.intensity),
+                      .least = face.intensity,
+                      .greatest = face.intensity},
+            .colour = face.colour,
+            .through_air = face.depth >= 0};
+}
+
 class EdgeMaker {
 public:
     EdgeMaker(const ProjectedFaces& projected, const Raster& raster, bool smoothing, FaceEdges& out)
@@ -109,12 +131,7 @@ public:
 
 private:
     std::size_t put_together(std::size_t rank) {
-        const std::size_t made = make_edges_together(projected_, rank, lines_, elements_, out_, edges_made_);
-        for (std::size_t k = rank; k < rank + made; ++k) {
-            const ProjectedFace& face = projected_.faces[k];
-            put_extent(projected_.points.data() + face.first_point, face.point_count, out_.faces[k]);
-        }
-        return made;
+        return make_edges_together(projected_, rank, lines_, elements_, out_, edges_made_);
     }
 
     void put(std::size_t rank) {
@@ -173,11 +190,11 @@ private:
         edges_made_ += std::size_t{made.leading} + made.trailing;
     }
 
-    /// The plane's reference is a pixel of the face, so that values stay small. What has no pixel needs no plane.
+    /// The plane's reference is a pixel of the face, so that values stay small.
     void put_shading(const ProjectedFace& face, const RasterPoint& corner, const EdgeFace& made,
                      FaceShading& shading) {
         shading = level_shading(face);
-        if (face.triangle < 0 || (made.leading == 0 && !smoothing_)) return;
+        if (face.triangle < 0) return;
         std::int32_t line = made.first_line;
         std::int32_t element = 0;
         for (std::uint32_t k = 0; k < made.leading; ++k) {
@@ -249,11 +266,10 @@ void append(const FaceEdges& part, FaceEdges& all) {
         added.first_edge += first_edge;
         added.first_outline += first_outline;
     }
-    all.shadings.reserve(all.shadings.size() + part.shadings.size());
-    for (const FaceShading& shading : part.shadings) {
-        FaceShading& added = all.shadings.emplace_back(shading);
-        if (added.coloured) added.plane.value += first_tint;
-    }
+    const std::size_t first_shading = all.shadings.size();
+    all.shadings.insert(all.shadings.end(), part.shadings.begin(), part.shadings.end());
+    for (std::size_t k = first_shading; k < all.shadings.size() && !part.tints.empty(); ++k)
+        if (all.shadings[k].coloured) all.shadings[k].plane.value += first_tint;
     all.edges.insert(all.edges.end(), part.edges.begin(), part.edges.end());
     all.outlines.insert(all.outlines.end(), part.outlines.begin(), part.outlines.end());
     all.tints.insert(all.tints.end(), part.tints.begin(), part.tints.end());

@@ -1,5 +1,6 @@
 #include "ig/video/share_sums.h"
 
+#include "ig/prefetch.h"
 #include "ig/scanline/open_mask.h"
 #include "ig/video/see.h"
 #include "ig/video/share_run.h"
@@ -32,6 +33,7 @@ public:
             while (count < left.size() && left[count].face == left.front().face)
                 ++count;
             const std::span<const ShareRun> runs = left.first(count);
+            fetch_ahead(left);
             left = left.subspan(count);
             if (!tells_ && add_fast(runs)) continue;
             for (const ShareRun& run : runs)
@@ -57,6 +59,13 @@ public:
 private:
     std::size_t place(std::uint32_t line, std::uint32_t element) const { return sums_at_.at(line, element); }
 
+    /// Asks for a face that is soon needed.
+    LINKDIG_ALWAYS_INLINE void fetch_ahead(std::span<const ShareRun> runs) const {
+        constexpr std::size_t runs_ahead = 32;
+        if (runs.size() > runs_ahead && runs[runs_ahead].face != background_rank)
+            prefetch(&input_.edges->shadings[runs[runs_ahead].face]);
+    }
+
     // ---- runs whose pixels need nothing but their colour ---------------------------------------------------------
 
     /// False if the pixels of a face's runs must be looked at one by one.
@@ -69,16 +78,16 @@ private:
             colour.plane.least = colour.plane.greatest = intensity_one;
         } else if (!colour_of(rank, colour)) {
             return false;
-        } else if (const ProjectedFace& face = input_.projected->faces[rank]; face.added_to != none) {
+        } else if (input_.edges->faces[rank].additive) {
             colour.horizon = {}; // light that is added brings no horizon of its own: the face behind it does
-            WaitingLight& light = waiting_for(face.added_to);
+            WaitingLight& light = waiting_for(input_.projected->faces[rank].added_to);
             for (const ShareRun& run : runs)
                 set_bits(there(light, run.line), run.first, std::uint32_t{run.first} + run.count);
             add_light_runs(colour, runs, weights, light_of(light));
             return true;
         } else if (sums_.lists_waiting != 0) {
             for (const ShareRun& run : runs)
-                add_behind_light(face, colour, run);
+                add_behind_light(input_.projected->faces[rank], colour, run);
             return true;
         }
         add_share_runs(colour, runs, weights, sums_at_);
