@@ -15,7 +15,7 @@ std::uint32_t samples_of(const Segment& run, int bits) {
 /// that two samples would cost as much as its pixels.
 int longest_stretch(const Segment& run, float start, float along, const Air& air) {
     if (run.count <= 1U << shortest_stretch_bits) return 0;
-    const int longest = run.count > 32 ? 6 : 5;
+    const int longest = run.count > 32 ? longest_stretch_bits : longest_stretch_bits - 1;
     for (int bits = longest; bits >= shortest_stretch_bits; --bits) {
         const auto length = static_cast<float>((samples_of(run, bits) - 1) << bits);
         const float least = std::min(start, start + length * along);

@@ -16,8 +16,8 @@ namespace linkdig::ig {
 
 /// How a run's transmission is taken: every 2^bits elements, the samples one behind the other; or at every pixel.
 struct Stretches {
-    std::uint32_t first_sample = 0;
-    int bits = 0; ///< 0: at every pixel
+    std::uint32_t first_sample; ///< neither is written before it is planned
+    int bits;                   ///< 0: at every pixel
     bool straight() const { return bits != 0; }
 };
 
@@ -45,11 +45,13 @@ struct AirSamples {
             transmissions[k] = transmission_through(rays[k], inverse[k]);
     }
 
-    /// Of a run's element k, straight between the two samples beside it.
+    /// Of a run's element k, straight between the two samples beside it, to the nearest.
     std::int32_t between(const Stretches& stretches, std::int32_t k) const {
         const std::int32_t* ends = transmissions.data() + stretches.first_sample + (k >> stretches.bits);
-        const std::int32_t part = (k << (15 - stretches.bits)) & 0x7fff;
-        return ends[0] + (((ends[1] - ends[0]) * part + (1 << 14)) >> 15);
+        const std::int32_t part = k & ((1 << stretches.bits) - 1);
+        const std::int64_t rises = std::int64_t{ends[1] - ends[0]} * part;
+        return static_cast<std::int32_t>(
+            ((std::int64_t{ends[0]} << 16) + (1 << 15) + rises * (1 << (16 - stretches.bits))) >> 16);
     }
 
 private:

@@ -171,6 +171,19 @@ struct Intensities {
         at = hn::Add(at, step);
         return UpperHalfTwice(hn::ShiftLeft<9>(clamped));
     }
+    /// The same of a run that needs no clamping.
+    HWY_INLINE hn::Vec<I16> NextInside() {
+        const auto here = at;
+        at = hn::Add(at, step);
+        return UpperHalfTwice(hn::ShiftLeft<9>(here));
+    }
+    /// Do both ends of a run, and so all between, lie in the corners' range?
+    HWY_INLINE bool Inside(std::int32_t line, std::int32_t element, std::uint32_t count) const {
+        const std::int64_t first = static_cast<std::int32_t>(value_at(plane_, line, element));
+        const std::int64_t last = first + std::int64_t{static_cast<std::int32_t>(plane_.along)} * (count - 1);
+        return std::min(first, last) >= plane_.least &&
+               std::max(first, last) <= std::min(plane_.greatest, brightest_shown);
+    }
     const IntensityPlane& plane_;
     hn::Vec<I32> least, greatest, step, ramp, at;
 };
@@ -181,6 +194,8 @@ struct LevelIntensity {
         : level(BothHalves(hn::Set(I32(), std::min(plane.least, brightest_shown) >> 7))) {}
     HWY_INLINE void Begin(std::int32_t /*line*/, std::int32_t /*element*/) {}
     HWY_INLINE hn::Vec<I16> Next() const { return level; }
+    HWY_INLINE hn::Vec<I16> NextInside() const { return level; }
+    HWY_INLINE bool Inside(std::int32_t /*line*/, std::int32_t /*element*/, std::uint32_t /*count*/) const { return true; }
     hn::Vec<I16> level;
 };
 
@@ -259,68 +274,74 @@ struct Transmissions {
     const float* rays;
 };
 
-/// As AirSamples::work_out(), in both halves.
+/// As AirSamples::work_out().
 HWY_INLINE void WorkOut(AirSamples& samples) {
     const F32 d;
     for (std::size_t k = 0; k < samples.count; k += hn::Lanes(d)) {
         const auto transmission =
             Transmission(hn::Load(d, samples.rays.data() + k), hn::Load(d, samples.inverse.data() + k));
-        hn::Store(hn::BitCast(I32(), BothHalves(transmission)), I32(), samples.transmissions.data() + k);
+        hn::Store(transmission, I32(), samples.transmissions.data() + k);
     }
 }
 
-/// As AirSamples::between(), from samples in both halves.
+/// As AirSamples::between() along one stretch.
 struct StraightTransmissions {
-    HWY_INLINE StraightTransmissions(const AirSamples& samples, const Stretches& stretches)
-        : ends(samples.transmissions.data() + stretches.first_sample), bits(stretches.bits),
-          lanes(BothHalves(hn::ShiftLeftSame(hn::Iota(I32(), 0), 15 - bits))) {}
-    HWY_INLINE hn::Vec<I16> At(std::size_t k) const {
+    HWY_INLINE StraightTransmissions(const std::int32_t* ends, int bits) {
         const I32 d;
-        const auto from = hn::BitCast(I16(), hn::Set(d, ends[k >> bits]));
-        const auto to = hn::BitCast(I16(), hn::Set(d, ends[(k >> bits) + 1]));
-        const auto before = static_cast<std::int16_t>((k << (15 - bits)) & 0x7fffU);
-        const auto part = hn::Add(lanes, hn::Set(I16(), before));
-        return hn::Add(from, hn::MulFixedPoint15(hn::Sub(to, from), part));
+        const std::uint32_t slope = static_cast<std::uint32_t>(ends[1] - ends[0]) << (16 - bits);
+        const auto start = hn::Set(d, (ends[0] << 16) + (1 << 15));
+        at = hn::Add(start, hn::Mul(hn::Iota(d, 0), hn::Set(d, static_cast<std::int32_t>(slope))));
+        step = hn::Set(d, static_cast<std::int32_t>(slope * static_cast<std::uint32_t>(hn::Lanes(d))));
     }
-    const std::int32_t* ends;
-    int bits;
-    hn::Vec<I16> lanes; ///< parts of a stretch, 15 bits
+    HWY_INLINE hn::Vec<I16> Next() {
+        const auto here = at;
+        at = hn::Add(at, step);
+        return UpperHalfTwice(here);
+    }
+    hn::Vec<I32> at, step; ///< 31 bits
 };
+
+/// Starts a long run with a vector of its own, so that what follows stands at a boundary; how many elements are done by it.
+template <typename Next>
+HWY_INLINE std::uint32_t StartRun(std::uint32_t* pixels, Next next) {
+    hn::StoreU(next(0), U32(), pixels);
+    return ToAligned(pixels);
+}
 
 void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, std::size_t runs,
                const BandPixels& pixels) {
     const auto red_green = Pair(colour.red, colour.green);
     const auto blue = Pair(0, colour.blue);
     Intensities intensities(plane);
-    const auto next = [&](std::size_t) HWY_ATTR {
-        const auto i = intensities.Next();
+    const auto shaded = [&](hn::Vec<I16> i) HWY_ATTR {
         return Packed(hn::MulFixedPoint15(i, red_green), hn::MulFixedPoint15(i, blue));
     };
+    const auto next = [&](std::size_t) HWY_ATTR { return shaded(intensities.Next()); };
+    const auto next_inside = [&](std::size_t) HWY_ATTR { return shaded(intensities.NextInside()); };
     for (const Segment* end = run + runs; run != end; ++run) {
-        std::uint32_t first = run->first, count = run->count;
-        std::uint32_t* pixel = pixels.at(*run);
+        std::uint32_t* const pixel = pixels.at(*run);
         intensities.Begin(run->line, run->first);
-        if (count >= long_run) {
-            hn::StoreU(next(0), U32(), pixel);
-            const std::uint32_t more = ToAligned(pixel);
-            pixel += more, first += more, count -= more;
-            intensities.Begin(run->line, static_cast<std::int32_t>(first));
+        if (run->count < long_run) {
+            FillRun(pixel, run->count, next);
+            continue;
         }
-        FillRun(pixel, count, next);
+        const std::uint32_t done = StartRun(pixel, next);
+        const auto element = static_cast<std::int32_t>(run->first + done);
+        intensities.Begin(run->line, element);
+        if (intensities.Inside(run->line, element, run->count - done)) {
+            FillRun(pixel + done, run->count - done, next_inside);
+        } else {
+            FillRun(pixel + done, run->count - done, next);
+        }
     }
 }
 
 void FillRuns(std::uint32_t value, const Segment* run, std::size_t runs, const BandPixels& pixels) {
     const auto next = [value](std::size_t) HWY_ATTR { return hn::Set(U32(), value); };
     for (const Segment* end = run + runs; run != end; ++run) {
-        std::uint32_t* pixel = pixels.at(*run);
-        std::uint32_t count = run->count;
-        if (count >= long_run) {
-            hn::StoreU(next(0), U32(), pixel);
-            const std::uint32_t more = ToAligned(pixel);
-            pixel += more, count -= more;
-        }
-        FillRun(pixel, count, next);
+        std::uint32_t* const pixel = pixels.at(*run);
+        const std::uint32_t done = run->count < long_run ? 0 : StartRun(pixel, next);
+        FillRun(pixel + done, run->count - done, next);
     }
 }
 
@@ -330,11 +351,26 @@ HWY_INLINE void ShadeHazy(const IntensityPlane& plane, Colour colour, const Inte
     const AirMixer mixer(colour, horizon);
     Intensity intensity(plane);
     Intensities left(transmission);
+    const auto next = [&](std::size_t) HWY_ATTR { return mixer.Seen(intensity.Next(), left.Next()); };
+    const auto next_inside = [&](std::size_t)
+                                 HWY_ATTR { return mixer.Seen(intensity.NextInside(), left.NextInside()); };
     for (const Segment* end = run + runs; run != end; ++run) {
+        std::uint32_t* const pixel = pixels.at(*run);
         intensity.Begin(run->line, run->first);
         left.Begin(run->line, run->first);
-        FillRun(pixels.at(*run), run->count,
-                [&](std::size_t) HWY_ATTR { return mixer.Seen(intensity.Next(), left.Next()); });
+        if (run->count < long_run) {
+            FillRun(pixel, run->count, next);
+            continue;
+        }
+        const std::uint32_t done = StartRun(pixel, next), count = run->count - done;
+        const auto element = static_cast<std::int32_t>(run->first + done);
+        intensity.Begin(run->line, element);
+        left.Begin(run->line, element);
+        if (intensity.Inside(run->line, element, count) && left.Inside(run->line, element, count)) {
+            FillRun(pixel + done, count, next_inside);
+        } else {
+            FillRun(pixel + done, count, next);
+        }
     }
 }
 
@@ -381,6 +417,20 @@ HWY_INLINE void ShadeExactly(Intensity& intensity, const AirMixer& mixer, const 
     }
 }
 
+/// A run, its transmission straight from sample to sample.
+template <typename Intensity>
+HWY_INLINE void ShadeStretches(Intensity& intensity, const AirMixer& mixer, const AirSamples& samples,
+                               const Stretches& stretches, const Segment& run, const BandPixels& pixels) {
+    std::uint32_t* const pixel = pixels.at(run);
+    const std::int32_t* ends = samples.transmissions.data() + stretches.first_sample;
+    intensity.Begin(run.line, run.first);
+    for (std::uint32_t k = 0; k < run.count; k += 1U << stretches.bits, ++ends) {
+        StraightTransmissions transmissions(ends, stretches.bits);
+        FillRun(pixel + k, std::min(run.count - k, 1U << stretches.bits),
+                [&](std::size_t) HWY_ATTR { return mixer.Seen(intensity.Next(), transmissions.Next()); });
+    }
+}
+
 template <typename Intensity>
 HWY_INLINE void ShadeInAir(const IntensityPlane& plane, Colour colour, const DepthPlane& depth,
                            const Air& air, std::span<const Segment> runs, const BandPixels& pixels) {
@@ -395,11 +445,7 @@ HWY_INLINE void ShadeInAir(const IntensityPlane& plane, Colour colour, const Dep
                 ShadeExactly(intensity, mixer, depth, air, runs[r], pixels);
                 continue;
             }
-            const StraightTransmissions transmissions(samples, samples.of_run[r]);
-            intensity.Begin(runs[r].line, runs[r].first);
-            FillRun(pixels.at(runs[r]), runs[r].count, [&](std::size_t k) HWY_ATTR {
-                return mixer.Seen(intensity.Next(), transmissions.At(k));
-            });
+            ShadeStretches(intensity, mixer, samples, samples.of_run[r], runs[r], pixels);
         }
         runs = runs.subspan(planned);
     }
