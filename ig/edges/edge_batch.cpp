@@ -29,7 +29,8 @@ static_assert(std::endian::native == std::endian::little); // a record's first b
 static_assert(offsetof(EdgeFace, leading) == 4 && offsetof(EdgeFace, trailing) == 6);
 static_assert(offsetof(EdgeFace, blends) == 12 && offsetof(EdgeFace, additive) == 13);
 static_assert(offsetof(EdgeFace, opacity) == 14 && offsetof(EdgeFace, fade) == 16);
-static_assert(offsetof(EdgeFace, level) == 20 && offsetof(EdgeFace, first_outline) == 24); // the elements follow
+static_assert(offsetof(EdgeFace, level) == 20 &&
+              offsetof(EdgeFace, first_outline) == 24); // the elements follow
 static_assert(offsetof(FaceShading, colour) == 28 && offsetof(FaceShading, through_air) == 31);
 
 /// Beside the upper half of a FaceShading's last word, which stands in the lower: the face has no triangle.

@@ -112,7 +112,8 @@ public:
         const std::uint64_t* const open = open_[element / word_bits].of_line.data() + first_;
         const auto here = hn::ShiftRightSame(hn::Load(d, open), static_cast<int>(element % word_bits));
         const auto next = hn::Load(d, open + band_lines);
-        return hn::Or(here, hn::ShiftLeft<1>(hn::ShiftLeftSame(next, static_cast<int>(63 - element % word_bits))));
+        return hn::Or(here,
+                      hn::ShiftLeft<1>(hn::ShiftLeftSame(next, static_cast<int>(63 - element % word_bits))));
     }
 
     /// Its elements that lie in a window, of which `before` is open.
@@ -123,7 +124,8 @@ public:
         taken_ = hn::PopulationCount(mine);
         std::uint64_t* const open = open_[element / word_bits].of_line.data() + first_;
         const auto here = hn::ShiftLeftSame(mine, static_cast<int>(element % word_bits));
-        const auto next = hn::ShiftRightSame(hn::ShiftRight<1>(mine), static_cast<int>(63 - element % word_bits));
+        const auto next =
+            hn::ShiftRightSame(hn::ShiftRight<1>(mine), static_cast<int>(63 - element % word_bits));
         hn::Store(hn::Xor(hn::Load(d, open), here), d, open);
         hn::Store(hn::Xor(hn::Load(d, open + band_lines), next), d, open + band_lines);
         do {
@@ -138,10 +140,12 @@ public:
         auto start = hn::Zero(d); // of what is running
         for (; word <= last; ++word) {
             W mine = Take(begin, end, word);
-            if (hn::AllTrue(d, hn::Eq(mine, hn::VecFromMask(d, running)))) continue; // all goes on, or nothing
+            if (hn::AllTrue(d, hn::Eq(mine, hn::VecFromMask(d, running))))
+                continue; // all goes on, or nothing
             const auto at = hn::Set(d, word * word_bits);
             const auto all = hn::Eq(mine, hn::Set(d, ~std::uint64_t{0}));
-            const auto more = hn::AndNot(hn::Add(mine, hn::Set(d, 1)), mine); // the lowest bits, if they are set
+            const auto more =
+                hn::AndNot(hn::Add(mine, hn::Set(d, 1)), mine); // the lowest bits, if they are set
             const auto ends = hn::AndNot(all, running);
             Put(ends, start, hn::Sub(hn::Add(at, hn::PopulationCount(more)), start));
             mine = hn::IfThenElse(running, hn::AndNot(more, mine), mine);
@@ -200,8 +204,8 @@ private:
 
     HWY_INLINE void Put(hn::Mask<U64> which, W first, W count) {
         const U64 d;
-        const auto fields = hn::Or(hn::Or(numbers_, hn::ShiftLeft<first_shift>(first)),
-                                   hn::ShiftLeft<count_shift>(count));
+        const auto fields =
+            hn::Or(hn::Or(numbers_, hn::ShiftLeft<first_shift>(first)), hn::ShiftLeft<count_shift>(count));
         hn::StoreU(Together(fields, which), d, reinterpret_cast<std::uint64_t*>(next_));
         next_ += hn::CountTrue(d, which);
         segments_ = hn::Sub(segments_, hn::VecFromMask(d, which)); // the mask is minus one

@@ -23,7 +23,8 @@ struct alignas(64) OpenWords {
 struct OpenBand {
     std::int32_t first_line = 0;
     std::int32_t end_line = 0;
-    std::vector<OpenWords> open; ///< a bit per element: 1 = something is left; behind the last there are spare ones
+    std::vector<OpenWords>
+        open; ///< a bit per element: 1 = something is left; behind the last there are spare ones
     alignas(64) std::array<std::uint64_t, band_lines> count{}; ///< elements still open on each line
     std::uint32_t open_lines = 0;                              ///< lines with an open element
 

@@ -2,8 +2,8 @@
 
 #include "ig/edges/edges.h"
 #include "ig/scanline/fetch_ahead.h"
-#include "ig/scanline/smoothed_lines.h"
 #include "ig/scanline/open_mask.h"
+#include "ig/scanline/smoothed_lines.h"
 #include "ig/simd/simd_level.h"
 
 #include <algorithm>
@@ -143,13 +143,14 @@ private:
         if (!any_open_in_box(static_cast<std::size_t>(from), static_cast<std::size_t>(to))) return;
         sharing_ = true;
         LinesLeft& left = scratch_.lines_left;
-        put_smoothed_lines(edges_, rank_, {&band_, out_.shared.data(), words_, scratch_.left.data(), elements_},
-                           out_, left);
+        put_smoothed_lines(edges_, rank_,
+                           {&band_, out_.shared.data(), words_, scratch_.left.data(), elements_}, out_, left);
         for (std::uint32_t lines = left.wide; lines != 0; lines &= lines - 1)
             put_line_by_area(static_cast<std::size_t>(std::countr_zero(lines)));
         for (std::uint32_t lines = left.whole; lines != 0; lines &= lines - 1) {
             const auto line = static_cast<std::size_t>(std::countr_zero(lines));
-            take(line, static_cast<std::uint32_t>(left.begin[line]), static_cast<std::uint32_t>(left.end[line]));
+            take(line, static_cast<std::uint32_t>(left.begin[line]),
+                 static_cast<std::uint32_t>(left.end[line]));
         }
     }
 
@@ -402,8 +403,8 @@ private:
             }
             for (std::uint32_t at = next_set(open, 0, end); at < end;) {
                 const std::uint32_t stop = next_clear(open, at, end);
-                out_.background.push_back(
-                    {line_number(line), static_cast<std::uint16_t>(at), static_cast<std::uint16_t>(stop - at)});
+                out_.background.push_back({line_number(line), static_cast<std::uint16_t>(at),
+                                           static_cast<std::uint16_t>(stop - at)});
                 at = stop < end ? next_set(open, stop, end) : end;
             }
         }

@@ -82,9 +82,9 @@ struct BandSegments {
     FaceSegmentsList faces; ///< that have segments
     SegmentList segments;
     alignas(64) std::array<std::uint64_t, band_lines> on_line{}; ///< segments of each line
-    SegmentList background;            ///< what no face covers
-    std::uint32_t words = 0;           ///< of 64 elements, per line
-    std::vector<std::uint64_t> shared; ///< a bit per element: 1 = a shared pixel
+    SegmentList background;                                      ///< what no face covers
+    std::uint32_t words = 0;                                     ///< of 64 elements, per line
+    std::vector<std::uint64_t> shared;                           ///< a bit per element: 1 = a shared pixel
     std::vector<ShareRun> shares;
     std::vector<std::uint32_t, Unwritten<std::uint32_t>> weights; ///< and weights_padding more
     std::vector<LightPixel> lights;

@@ -146,16 +146,19 @@ HWY_INLINE void TraceEdge(const OutlineEdge& edge, std::int32_t first_line, std:
             hn::IfThenElse(hn::Lt(upper_line, top), Position(at), hn::Set(dl, edge.upper_element));
         const auto lower = hn::IfThenElse(hn::Gt(lower_line, bottom), Position(hn::Add(at, slope)),
                                           hn::Set(dl, edge.lower_element));
-        const auto height = hn::Max(hn::Sub(hn::Min(lower_line, bottom), hn::Max(upper_line, top)), hn::Zero(dl));
+        const auto height =
+            hn::Max(hn::Sub(hn::Min(lower_line, bottom), hn::Max(upper_line, top)), hn::Zero(dl));
         const auto left = hn::Min(upper, lower), right = hn::Max(upper, lower);
         hn::Store(left, dl, traced.left[k].data() + line);
         hn::Store(right, dl, traced.right[k].data() + line);
-        hn::Store(hn::IfThenElse(hn::Gt(upper, lower), hn::Neg(height), height), dl, traced.rise[k].data() + line);
+        hn::Store(hn::IfThenElse(hn::Gt(upper, lower), hn::Neg(height), height), dl,
+                  traced.rise[k].data() + line);
         hn::Store(height, dl, traced.height[k].data() + line);
 
         const auto there = hn::Gt(height, hn::Zero(dl));
         const auto begin = hn::IfThenElse(there, hn::ShiftRight<8>(left), hn::Set(dl, INT32_MAX));
-        const auto end = hn::IfThenElse(there, hn::Add(hn::ShiftRight<8>(right), hn::Set(dl, 1)), hn::Set(dl, INT32_MIN));
+        const auto end =
+            hn::IfThenElse(there, hn::Add(hn::ShiftRight<8>(right), hn::Set(dl, 1)), hn::Set(dl, INT32_MIN));
         hn::Store(hn::Min(hn::Load(dl, side.begin.data() + line), begin), dl, side.begin.data() + line);
         hn::Store(hn::Max(hn::Load(dl, side.end.data() + line), end), dl, side.end.data() + line);
         hn::Store(hn::Add(hn::Load(dl, side.height.data() + line), height), dl, side.height.data() + line);
@@ -182,7 +185,8 @@ HWY_INLINE void TraceFace(const FaceEdges& edges, const EdgeFace& face, std::int
 struct Piece {
     HWY_INLINE Piece(const TracedFace& traced, std::size_t edge, std::size_t line)
         : left(hn::Set(I32(), traced.left[edge][line])), right(hn::Set(I32(), traced.right[edge][line])),
-          height(hn::Set(I32(), traced.height[edge][line])), length(hn::ConvertTo(F32(), hn::Sub(right, left))),
+          height(hn::Set(I32(), traced.height[edge][line])),
+          length(hn::ConvertTo(F32(), hn::Sub(right, left))),
           twice(hn::Max(hn::Add(length, length), hn::Set(F32(), 1.0F))),
           rise(hn::ConvertTo(F32(), hn::Set(I32(), 2 * traced.rise[edge][line]))) {}
 
@@ -237,12 +241,14 @@ struct Covered {
 };
 
 /// Areas of the elements of a line, clamped to the pixel, from the edges of these sides (0: both).
-HWY_INLINE Covered Cover(const TracedFace& traced, std::size_t line, Reach reach, std::int32_t side, Areas& areas) {
+HWY_INLINE Covered Cover(const TracedFace& traced, std::size_t line, Reach reach, std::int32_t side,
+                         Areas& areas) {
     const I32 d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const auto all = hn::Set(d, static_cast<std::int32_t>(whole_pixel));
     const auto next_lane = hn::SetTableIndices(d, next_lanes.data());
-    const bool one_vector = reach.width() < lanes; // the last lane's next border is behind all edges, as its own is
+    const bool one_vector =
+        reach.width() < lanes; // the last lane's next border is behind all edges, as its own is
     Covered covered;
     for (std::int32_t k = 0; k < reach.width(); k += lanes) {
         const auto x = hn::ShiftLeft<8>(hn::Add(hn::Iota(d, 0), hn::Set(d, reach.begin + k)));
@@ -362,8 +368,8 @@ HWY_INLINE Window PutSide(const TracedFace& traced, Reach reach, std::int32_t si
 }
 
 /// A line on which few elements are crossed on each side; returns what lies between, wholly covered.
-HWY_INLINE Reach PutSides(const TracedFace& traced, const Sides& sides, std::uint32_t rank, SmoothedLine& line,
-                          BandSegments& band) {
+HWY_INLINE Reach PutSides(const TracedFace& traced, const Sides& sides, std::uint32_t rank,
+                          SmoothedLine& line, BandSegments& band) {
     const Window begins = PutSide(traced, sides.leading, 1, rank, line, band);
     const Window ends = PutSide(traced, sides.trailing, -1, rank, line, band);
     return {sides.leading.end - std::popcount(begins), sides.trailing.begin + std::popcount(ends)};

@@ -31,8 +31,8 @@ struct SmoothedBand {
 
 /// What is left to be done of a face in a band; a bit per line.
 struct LinesLeft {
-    std::uint32_t whole = 0;                      ///< of these the elements [begin, end), which it covers wholly
-    std::uint32_t wide = 0;                       ///< of these everything
+    std::uint32_t whole = 0; ///< of these the elements [begin, end), which it covers wholly
+    std::uint32_t wide = 0;  ///< of these everything
     std::array<std::int32_t, band_lines> begin{}; ///< where `whole` says so
     std::array<std::int32_t, band_lines> end{};
 };

@@ -48,10 +48,10 @@ struct Planes {
     static constexpr std::size_t room = 8;
     template <typename T>
     using Row = std::array<T, room>;
-    alignas(64) Row<double> inverse, across, along;            ///< of DepthPlane
-    alignas(64) Row<double> line, element, lines, elements;    ///< of Box
+    alignas(64) Row<double> inverse, across, along;                 ///< of DepthPlane
+    alignas(64) Row<double> line, element, lines, elements;         ///< of Box
     alignas(64) Row<std::int32_t> value, value_along, value_across; ///< of the transmission, 1.0 = 2^22
-    alignas(64) Row<std::int64_t> fits; ///< not 0: its transmission is a plane
+    alignas(64) Row<std::int64_t> fits;                             ///< not 0: its transmission is a plane
 };
 
 /// One of them, plainly: the reference for the vectors, which do the same step by step.
@@ -92,8 +92,8 @@ void put(const DepthPlane& depth, const Box& box, Planes& p, std::size_t k) {
 
 /// Faces in groups; `work_out` is given each group and how many are in it.
 template <typename WorkOut>
-[[gnu::always_inline]] inline void judge(const ProjectedFaces& projected, const FaceEdges& edges, const Air& air,
-                                         std::vector<FaceAir>& face_air, WorkOut work_out) {
+[[gnu::always_inline]] inline void judge(const ProjectedFaces& projected, const FaceEdges& edges,
+                                         const Air& air, std::vector<FaceAir>& face_air, WorkOut work_out) {
     Planes planes{};
     for (std::size_t rank = 0; rank < face_air.size();) {
         std::array<std::size_t, Planes::room> ranks{};
@@ -103,15 +103,16 @@ template <typename WorkOut>
             face_air[rank].kind = AirKind::clear;
             if (depth < 0) continue;
             ranks[count] = rank;
-            put(projected.depths[static_cast<std::size_t>(depth)], box_of(edges.faces[rank]), planes, count++);
+            put(projected.depths[static_cast<std::size_t>(depth)], box_of(edges.faces[rank]), planes,
+                count++);
         }
         work_out(planes, count);
         for (std::size_t k = 0; k < count; ++k) {
             const Box box = box_of(edges.faces[ranks[k]]);
             const auto depth = static_cast<std::size_t>(projected.faces[ranks[k]].depth);
-            face_air[ranks[k]] = planes.fits[k] != 0
-                                     ? planar(box, planes.value[k], planes.value_along[k], planes.value_across[k])
-                                     : flat_or_by_pixel(projected.depths[depth], air, box);
+            face_air[ranks[k]] = planes.fits[k] != 0 ? planar(box, planes.value[k], planes.value_along[k],
+                                                              planes.value_across[k])
+                                                     : flat_or_by_pixel(projected.depths[depth], air, box);
         }
     }
 }
@@ -162,19 +163,20 @@ HWY_INLINE void WorkOut(const AirRays& rays, double m_per_octave, Planes& p, std
     const auto along = Load(p.along, k), across = Load(p.across, k);
     const auto element = Load(p.element, k), line = Load(p.line, k);
     const auto elements = Load(p.elements, k), lines = Load(p.lines, k);
-    const auto middle =
-        hn::Add(hn::Add(Load(p.inverse, k), hn::Mul(line, across)), hn::Mul(element, along));
+    const auto middle = hn::Add(hn::Add(Load(p.inverse, k), hn::Mul(line, across)), hn::Mul(element, along));
     const auto reach = hn::Add(hn::Mul(hn::Abs(along), elements), hn::Mul(hn::Abs(across), lines));
     const auto least = hn::Sub(middle, reach);
     const auto turned = hn::Mul(hn::Add(hn::Mul(Set(std::fabs(rays.element_slope)), elements),
                                         hn::Mul(Set(std::fabs(rays.line_slope)), lines)),
                                 Set(2.0));
-    const auto fits = hn::And(hn::Gt(least, Set(0.0)),
-                              hn::Le(hn::Mul(reach, Set(2.0)), hn::Mul(hn::Sub(Set(planar_change), turned), least)));
+    const auto fits =
+        hn::And(hn::Gt(least, Set(0.0)),
+                hn::Le(hn::Mul(reach, Set(2.0)), hn::Mul(hn::Sub(Set(planar_change), turned), least)));
     const auto inverse = hn::IfThenElse(fits, middle, Set(1.0));
     const auto along_ray = hn::Add(Set(rays.element_start), hn::Mul(Set(rays.element_slope), element));
     const auto across_ray = hn::Add(Set(rays.line_start), hn::Mul(Set(rays.line_slope), line));
-    const auto square = hn::Add(hn::Add(Set(1.0), hn::Mul(along_ray, along_ray)), hn::Mul(across_ray, across_ray));
+    const auto square =
+        hn::Add(hn::Add(Set(1.0), hn::Mul(along_ray, along_ray)), hn::Mul(across_ray, across_ray));
     const auto octaves =
         hn::Min(hn::Div(hn::Sqrt(square), hn::Mul(inverse, Set(m_per_octave))), Set(double{most_octaves}));
     const auto scaled = hn::Mul(LightLeft(octaves), Set(intensity_one));
@@ -225,8 +227,8 @@ void judge_air(const ProjectedFaces& projected, const FaceEdges& edges, const Ai
     }
 }
 
-std::int32_t transmission_of(const FaceAir& face_air, const DepthPlane& depth, const Air& air, std::int32_t line,
-                             std::int32_t element) {
+std::int32_t transmission_of(const FaceAir& face_air, const DepthPlane& depth, const Air& air,
+                             std::int32_t line, std::int32_t element) {
     if (face_air.kind == AirKind::by_pixel) return transmission_of(depth, air, line, element);
     return planar_transmission(face_air.transmission, line, element);
 }

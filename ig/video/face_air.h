@@ -40,7 +40,7 @@ inline std::int32_t planar_transmission(const IntensityPlane& transmission, std:
 }
 
 /// 15 bits, of one pixel of a face, as video takes it where it takes it pixel by pixel. Not of AirKind::clear.
-std::int32_t transmission_of(const FaceAir& face_air, const DepthPlane& depth, const Air& air, std::int32_t line,
-                             std::int32_t element);
+std::int32_t transmission_of(const FaceAir& face_air, const DepthPlane& depth, const Air& air,
+                             std::int32_t line, std::int32_t element);
 
 } // namespace linkdig::ig

@@ -25,7 +25,8 @@ void Air::make_rays(const PictureScale& scale, const Raster& raster) {
     made_raster_ = raster;
     rays_of_line_ = raster.elements() + rays_behind;
     const bool vertical = raster.scan == Scan::vertical;
-    const double column_slope = 256.0 / scale.x_scale, column_start = (128.0 - scale.x_offset) / scale.x_scale;
+    const double column_slope = 256.0 / scale.x_scale,
+                 column_start = (128.0 - scale.x_offset) / scale.x_scale;
     const double row_slope = 256.0 / scale.y_scale, row_start = (128.0 - scale.y_offset) / scale.y_scale;
     slopes_ = vertical ? AirRays{row_start, row_slope, column_start, column_slope}
                        : AirRays{column_start, column_slope, row_start, row_slope};

@@ -5,6 +5,8 @@
 #include "ig/video/air_samples.h"
 #include "ig/video/inverse_range.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 
 #ifndef LINKDIG_PLAIN_RUNS // this file is compiled once per SIMD level
@@ -74,9 +76,11 @@ void fill_plainly(std::uint32_t pixel, std::span<const Segment> runs, const Band
 
 void shade_plainly_in_haze(const IntensityPlane& plane, Colour colour, const IntensityPlane& transmission,
                            Colour horizon, std::span<const Segment> runs, const BandPixels& pixels) {
-    shade_one_by_one(plane, runs, pixels, [&](std::int32_t line, std::int32_t element, std::int32_t intensity) {
-        return shade_through_air(colour, intensity, planar_transmission(transmission, line, element), horizon);
-    });
+    shade_one_by_one(plane, runs, pixels,
+                     [&](std::int32_t line, std::int32_t element, std::int32_t intensity) {
+                         return shade_through_air(colour, intensity,
+                                                  planar_transmission(transmission, line, element), horizon);
+                     });
 }
 
 void shade_plainly_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,
@@ -195,7 +199,9 @@ struct LevelIntensity {
     HWY_INLINE void Begin(std::int32_t /*line*/, std::int32_t /*element*/) {}
     HWY_INLINE hn::Vec<I16> Next() const { return level; }
     HWY_INLINE hn::Vec<I16> NextInside() const { return level; }
-    HWY_INLINE bool Inside(std::int32_t /*line*/, std::int32_t /*element*/, std::uint32_t /*count*/) const { return true; }
+    HWY_INLINE bool Inside(std::int32_t /*line*/, std::int32_t /*element*/, std::uint32_t /*count*/) const {
+        return true;
+    }
     hn::Vec<I16> level;
 };
 
@@ -218,13 +224,26 @@ HWY_INLINE void FillRun(std::uint32_t* HWY_RESTRICT pixels, std::size_t count, N
     if (k < count) hn::BlendedStore(next(k), hn::FirstN(d, count - k), d, pixels + k);
 }
 
+/// The same from a boundary on, past the caches if that is asked for.
+template <typename Next>
+HWY_INLINE void FillLong(const BandPixels& band, std::uint32_t* HWY_RESTRICT pixels, std::size_t count,
+                         Next next) {
+    const U32 d;
+    const std::size_t lanes = hn::Lanes(d);
+    std::size_t k = 0;
+    for (; band.past_caches && k + lanes <= count; k += lanes)
+        hn::Stream(next(k), d, pixels + k);
+    FillRun(pixels + k, count - k, [&](std::size_t more) HWY_ATTR { return next(k + more); });
+}
+
 /// Runs of this many pixels are worth a start that makes the rest of their vectors lie in one line of the cache each.
 constexpr std::size_t long_run = 96;
 
 /// Elements from `pixel` to the next that a vector may be aligned to; a whole vector if it stands there.
 HWY_INLINE std::uint32_t ToAligned(const std::uint32_t* pixel) {
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(U32()));
-    return lanes - static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(pixel) / sizeof(*pixel)) % lanes;
+    return lanes -
+           static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(pixel) / sizeof(*pixel)) % lanes;
 }
 
 /// As shade_through_air() for each lane.
@@ -329,7 +348,7 @@ void ShadeRuns(const IntensityPlane& plane, Colour colour, const Segment* run, s
         const auto element = static_cast<std::int32_t>(run->first + done);
         intensities.Begin(run->line, element);
         if (intensities.Inside(run->line, element, run->count - done)) {
-            FillRun(pixel + done, run->count - done, next_inside);
+            FillLong(pixels, pixel + done, run->count - done, next_inside);
         } else {
             FillRun(pixel + done, run->count - done, next);
         }
@@ -340,8 +359,12 @@ void FillRuns(std::uint32_t value, const Segment* run, std::size_t runs, const B
     const auto next = [value](std::size_t) HWY_ATTR { return hn::Set(U32(), value); };
     for (const Segment* end = run + runs; run != end; ++run) {
         std::uint32_t* const pixel = pixels.at(*run);
-        const std::uint32_t done = run->count < long_run ? 0 : StartRun(pixel, next);
-        FillRun(pixel + done, run->count - done, next);
+        if (run->count < long_run) {
+            FillRun(pixel, run->count, next);
+            continue;
+        }
+        const std::uint32_t done = StartRun(pixel, next);
+        FillLong(pixels, pixel + done, run->count - done, next);
     }
 }
 
@@ -367,7 +390,7 @@ HWY_INLINE void ShadeHazy(const IntensityPlane& plane, Colour colour, const Inte
         intensity.Begin(run->line, element);
         left.Begin(run->line, element);
         if (intensity.Inside(run->line, element, count) && left.Inside(run->line, element, count)) {
-            FillRun(pixel + done, count, next_inside);
+            FillLong(pixels, pixel + done, count, next_inside);
         } else {
             FillRun(pixel + done, count, next);
         }
@@ -381,7 +404,8 @@ void ShadeRunsInHaze(const IntensityPlane& plane, Colour colour, const Intensity
     } else if (transmission.along != 0 || transmission.across != 0) {
         ShadeHazy<LevelIntensity>(plane, colour, transmission, horizon, run, runs, pixels);
     } else {
-        const std::int32_t t = planar_transmission(transmission, transmission.reference_line, transmission.reference_element);
+        const std::int32_t t =
+            planar_transmission(transmission, transmission.reference_line, transmission.reference_element);
         FillRuns(shade_through_air(colour, plane.least, t, horizon), run, runs, pixels);
     }
 }
@@ -500,6 +524,10 @@ HWY_EXPORT(ShadeRunsInHaze);
 HWY_EXPORT(ShadeRunsInAir);
 
 } // namespace
+
+void settle_pixels(const BandPixels& pixels) {
+    if (pixels.past_caches) hwy::FlushStream();
+}
 
 void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segment> runs,
                 const BandPixels& pixels) {

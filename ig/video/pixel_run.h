@@ -33,12 +33,17 @@ struct BandPixels {
     std::uint32_t* start = nullptr;
     std::uint32_t first_line = 0;
     std::uint32_t length = 0; ///< of a line, elements
+    /// Long runs are written past the caches: before the picture is read the band must be settled (settle_pixels()).
+    bool past_caches = false;
 
     std::uint32_t* at(std::uint32_t line, std::uint32_t element) const {
         return start + std::size_t{line - first_line} * length + element;
     }
     std::uint32_t* at(const Segment& segment) const { return at(segment.line, segment.first); }
 };
+
+/// What was written past the caches is seen by whoever comes after.
+void settle_pixels(const BandPixels& pixels);
 
 /// Shades runs of one face.
 void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segment> runs,

@@ -47,7 +47,8 @@ struct Along {
         : plane_(plane), least(hn::Set(SumI(), plane.least)), greatest(hn::Set(SumI(), plane.greatest)),
           one(hn::Set(SumI(), 32767)),
           ramp(hn::Mul(hn::Iota(SumI(), 0), hn::Set(SumI(), static_cast<std::int32_t>(plane.along)))),
-          step(hn::Set(SumI(), static_cast<std::int32_t>(plane.along * static_cast<std::uint32_t>(hn::Lanes(SumI()))))),
+          step(hn::Set(SumI(), static_cast<std::int32_t>(plane.along *
+                                                         static_cast<std::uint32_t>(hn::Lanes(SumI()))))),
           at(ramp) {}
     HWY_INLINE void Begin(std::int32_t line, std::int32_t element) {
         at = hn::Add(hn::Set(SumI(), static_cast<std::int32_t>(value_at(plane_, line, element))), ramp);

@@ -71,7 +71,8 @@ private:
     /// False if the pixels of a face's runs must be looked at one by one.
     bool add_fast(std::span<const ShareRun> runs) {
         const std::uint32_t* const weights = band_.weights.data();
-        RunColour colour{.colour = input_.background, .plane = {}, .transmission = {}, .horizon = input_.air->horizon()};
+        RunColour colour{
+            .colour = input_.background, .plane = {}, .transmission = {}, .horizon = input_.air->horizon()};
         const std::uint32_t rank = runs.front().face;
         if (rank == background_rank) {
             colour.plane.value = intensity_one;

@@ -48,8 +48,7 @@ TEST(AirSamples, StraightBetweenThemIsAtMostAThirdOfALevelOff) {
         for (double range_m = 2.0; range_m < 1e5; range_m *= 1.5) {
             for (const double along : {-0.999, -0.9, -0.3, 0.0, 0.5, 1.5, 2.7, 4.0, 6.5, 100.0}) {
                 const DepthPlane depth = plane_of(1.0 / range_m, along, 0.1);
-                const std::vector<Segment> runs{
-                    {0, 0, side}, {500, 3, 20}, {1023, 500, 77}, {7, 900, 124}};
+                const std::vector<Segment> runs{{0, 0, side}, {500, 3, 20}, {1023, 500, 77}, {7, 900, 124}};
                 ASSERT_EQ(samples->plan(runs, depth, air), runs.size());
                 samples->work_out();
                 for (std::size_t r = 0; r < runs.size(); ++r) {
