@@ -76,7 +76,6 @@ struct alignas(32) FaceShading {
     IntensityPlane plane;
     std::uint16_t colour = 0; ///< of the database's table, or the packet's
     bool coloured = false;
-    bool through_air = false; ///< its range plays a part (ProjectedFace::depth)
 };
 static_assert(sizeof(FaceShading) == 32);
 

@@ -31,7 +31,7 @@ static_assert(offsetof(EdgeFace, blends) == 12 && offsetof(EdgeFace, additive) =
 static_assert(offsetof(EdgeFace, opacity) == 14 && offsetof(EdgeFace, fade) == 16);
 static_assert(offsetof(EdgeFace, level) == 20 &&
               offsetof(EdgeFace, first_outline) == 24); // the elements follow
-static_assert(offsetof(FaceShading, colour) == 28 && offsetof(FaceShading, through_air) == 31);
+static_assert(offsetof(FaceShading, colour) == 28 && offsetof(FaceShading, coloured) == 30);
 
 /// Beside the upper half of a FaceShading's last word, which stands in the lower: the face has no triangle.
 constexpr Word flat_face = Word{1} << 32;
@@ -43,7 +43,7 @@ struct Batch {
     std::int32_t elements = 0;
 
     // Given: the corners, the first one again where there is no fourth; those of the triangle before it was clipped, of a flat
-    // face one of no area; colour, whether the air plays a part, and flat_face.
+    // face one of no area; colour, and flat_face.
     alignas(64) std::array<Row<Word>, most_corners> corner;
     alignas(64) std::array<Row<double>, 3> triangle_line, triangle_element;
     alignas(64) std::array<Row<std::int32_t>, 3> intensity;
@@ -101,7 +101,7 @@ HWY_INLINE void PutFace(const ProjectedFaces& projected, const ProjectedFace& fa
         batch.corner[k][at] = std::bit_cast<Word>(points[k]);
     batch.corner[3][at] = std::bit_cast<Word>(points[face.point_count == most_corners ? 3 : 0]);
     batch.corners = std::max<std::size_t>(batch.corners, face.point_count);
-    const Word colour = face.colour | (face.depth >= 0 ? 1 << 24 : 0);
+    const Word colour = face.colour;
     if (face.triangle >= 0) {
         batch.colour[at] = colour;
         PutTriangle(projected.triangles[static_cast<std::size_t>(face.triangle)], at, batch);

@@ -108,8 +108,7 @@ FaceShading level_shading(const ProjectedFace& face) {
     return {.plane = {.value = static_cast<std::uint32_t>(face.intensity),
                       .least = face.intensity,
                       .greatest = face.intensity},
-            .colour = face.colour,
-            .through_air = face.depth >= 0};
+            .colour = face.colour};
 }
 
 class EdgeMaker {

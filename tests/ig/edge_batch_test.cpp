@@ -111,10 +111,10 @@ std::vector<std::int64_t> face_numbers(const FaceEdges& edges, std::size_t rank)
     const EdgeFace& face = edges.faces[rank];
     const FaceShading& shading = edges.shadings[rank];
     std::vector<std::int64_t> numbers{
-        face.first_edge,  face.leading,       face.trailing,      face.first_line,  face.end_line,
-        face.blends,      face.additive,      face.opacity,       face.fade,        face.outlines,
-        face.level,       face.first_outline, face.first_element, face.end_element, shading.colour,
-        shading.coloured, shading.through_air};
+        face.first_edge,    face.leading,     face.trailing,  face.first_line,
+        face.end_line,      face.blends,      face.additive,  face.opacity,
+        face.fade,          face.outlines,    face.level,     face.first_outline,
+        face.first_element, face.end_element, shading.colour, shading.coloured};
     add_numbers(shading.plane, numbers);
     if (shading.coloured)
         for (const IntensityPlane& plane : tint_of(edges, shading))

@@ -58,8 +58,8 @@ std::vector<std::int64_t> face_numbers(const Stages& stages, std::size_t rank) {
         numbers.push_back(stages.edges.outlines[made.first_outline + k].start);
     const FaceShading& shading = stages.edges.shadings[rank];
     const IntensityPlane& plane = shading.plane;
-    numbers.insert(numbers.end(), {shading.colour, shading.through_air, plane.value, plane.along,
-                                   plane.across, plane.least, plane.greatest});
+    numbers.insert(numbers.end(),
+                   {shading.colour, plane.value, plane.along, plane.across, plane.least, plane.greatest});
     return numbers;
 }
 
