@@ -24,13 +24,14 @@ enum class Kind : std::uint8_t {
     through_eye,  ///< its plane, within rounding or exactly
     no_area,      ///< corners in one place, or on a line
     late_area,    ///< its first three corners are on a line
+    two_normals,  ///< of the same length, one against the other: the first one counts
     at_infinity,  ///< a corner, several or all
     half_weight,  ///< w is neither 0 nor 1
     far_away,     ///< coordinates of 1e6 m
     minute,       ///< so small that hardly a digit of its sides is left, or that it is a point
     many_corners, ///< more than four
 };
-constexpr std::int32_t kinds = 9;
+constexpr std::int32_t kinds = 10;
 
 struct Faces {
     std::vector<Vertex> vertices;
@@ -55,7 +56,8 @@ Vec4f along(const Vec4f& a, const Vec4f& b, float t) { return {Vec3f(a) + t * Ve
 std::vector<Vec4f> positions_of(Kind kind, std::size_t count, RandomStream& random) {
     std::vector<Vec4f> p(count);
     for (Vec4f& position : p)
-        position = kind == Kind::through_eye ? whole(random) : within(random, 100.0);
+        position =
+            kind == Kind::through_eye || kind == Kind::two_normals ? whole(random) : within(random, 100.0);
     switch (kind) {
     case Kind::through_eye: // of a list whose origin is the eye
         for (std::size_t k = 2; k < count; ++k)
@@ -67,6 +69,9 @@ std::vector<Vec4f> positions_of(Kind kind, std::size_t count, RandomStream& rand
         break;
     case Kind::late_area:
         p[2] = random.one_in(2) ? p[1] : along(p[0], p[1], 2.0F);
+        break;
+    case Kind::two_normals:
+        if (count > 3) p[3] = {2.0F * Vec3f(p[0]) - Vec3f(p[2]), 1.0F};
         break;
     case Kind::at_infinity:
         for (std::size_t k = 0; k < count; ++k)
@@ -184,8 +189,8 @@ TEST(DepthBatch, every_level_makes_the_planes_of_the_plain_way) {
     }
     for (const Kind kind : {Kind::through_eye, Kind::no_area, Kind::at_infinity, Kind::minute})
         EXPECT_GT(infinitely_far[static_cast<std::size_t>(kind)], 500U);
-    for (const Kind kind :
-         {Kind::sound, Kind::late_area, Kind::half_weight, Kind::far_away, Kind::minute, Kind::many_corners})
+    for (const Kind kind : {Kind::sound, Kind::late_area, Kind::two_normals, Kind::half_weight,
+                            Kind::far_away, Kind::minute, Kind::many_corners})
         EXPECT_GT(near[static_cast<std::size_t>(kind)], 500U);
 }
 
