@@ -1,6 +1,5 @@
 #include "ig/geometry/project.h"
 
-#include "ig/geometry/depth_plane.h"
 #include "ig/geometry/project_lights.h"
 #include "ig/geometry/whole_faces.h"
 #include "ig/simd/simd_level.h"
@@ -36,6 +35,7 @@ public:
 
     void run(const PriorityOrder& order, const OrderPart& part) {
         out_.scale = view_.scale;
+        scratch_.depths.clear();
         std::uint32_t entered = ~0U;
         const std::size_t end_run = part.to.run + (part.to.face > 0 ? 1 : 0);
         for (std::size_t r = part.from.run; r < end_run; ++r) {
@@ -59,10 +59,12 @@ public:
             }
             if (end == run.face_count) put_lights(run, end, lights_put);
         }
+        scratch_.depths.make(sight_, out_.depths);
     }
 
 private:
     void enter(std::uint32_t block) {
+        scratch_.depths.make(sight_, out_.depths);
         block_index_ = block;
         block_ = &active_.blocks[block];
         added_to_ = active_.database->lists[block_->list].added_to;
@@ -201,14 +203,7 @@ private:
     }
 
     /// Of the whole face, when the first of its pieces is put out: what turns out not to be seen needs none.
-    std::int32_t put_depth() {
-        const Face& face = block_->faces[face_index_];
-        scratch_.whole.clear();
-        for (std::uint32_t k = 0; k < face.corner_count; ++k)
-            scratch_.whole.push_back(point_of(block_->corners[face.first_corner + k]));
-        out_.depths.push_back(depth_plane(view_, scratch_.whole));
-        return static_cast<std::int32_t>(out_.depths.size() - 1);
-    }
+    std::int32_t put_depth() { return scratch_.depths.want(sight_, face_index_, out_.depths); }
 
     void put_flat(const std::uint32_t* corners, std::uint32_t count, std::int32_t intensity) {
         std::int32_t any = 0;

@@ -9,6 +9,7 @@
 #include "ig/active/face_block.h"
 #include "ig/configuration.h"
 #include "ig/geometry/clip.h"
+#include "ig/geometry/depth_batch.h"
 #include "ig/geometry/face_sieve.h"
 #include "ig/geometry/parts.h"
 #include "ig/geometry/projected_face.h"
@@ -21,7 +22,7 @@ namespace linkdig::ig {
 struct GeometryScratch {
     SeenVertices seen;
     SiftedFaces sifted;
-    std::vector<ClipPoint> whole; ///< the face as it came
+    DepthBatch depths;
     std::vector<ClipPoint> polygon;
     std::vector<ClipPoint> spare;
     std::vector<ClipPoint> pieces;
