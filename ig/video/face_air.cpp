@@ -14,6 +14,7 @@ namespace linkdig::ig {
 namespace {
 
 constexpr double natural_logarithm_of_2 = 0.69314718055994531;
+constexpr double one_over_e = 0.36787944117144232;
 
 /// A face's box in the raster: its middle pixel, and how far the others are from that at most.
 struct Box {
@@ -55,24 +56,34 @@ struct Planes {
 };
 
 /// One of them, plainly: the reference for the vectors, which do the same step by step.
+///
+/// From the middle of the box to any of its pixels the range x (in units over which 1/e is left) changes by a part g of itself at
+/// most, h of it by 1/z and the rest by the ray's length. It curves by 2 h^2 of itself by 1/z, and by the square of the ray's turn.
+/// So t = exp(-x) is off the plane that touches it in the middle by no more than half of 2 x t (g^2 + turn^2 / 2), where x t is
+/// under x, and under 1/e.
 void work_out_plainly(const Air& air, Planes& p, std::size_t k) {
     const AirRays& rays = air.ray_slopes();
     const double middle = (p.inverse[k] + p.line[k] * p.across[k]) + p.element[k] * p.along[k];
     const double reach = std::fabs(p.along[k]) * p.elements[k] + std::fabs(p.across[k]) * p.lines[k];
-    const double least = middle - reach; // of 1/z in the box
-    const double turned =
-        (std::fabs(rays.element_slope) * p.elements[k] + std::fabs(rays.line_slope) * p.lines[k]) * 2.0;
-    const bool fits = least > 0.0 && reach * 2.0 <= (planar_change - turned) * least;
-    const double inverse = fits ? middle : 1.0;
+    const double least = middle - reach;
     const double along_ray = rays.element_start + rays.element_slope * p.element[k];
     const double across_ray = rays.line_start + rays.line_slope * p.line[k];
-    const double square = (1.0 + along_ray * along_ray) + across_ray * across_ray;
-    const double octaves = std::min(std::sqrt(square) / (inverse * air.m_per_octave()), double{most_octaves});
-    const double left = static_cast<double>(light_left(static_cast<float>(octaves)));
-    const double scaled = left * intensity_one;
+    const double ray = std::sqrt((1.0 + along_ray * along_ray) + across_ray * across_ray);
+    const double turn_along = std::fabs(rays.element_slope) * p.elements[k];
+    const double turn_across = std::fabs(rays.line_slope) * p.lines[k];
+    const double turn = turn_along + turn_across;
+    const double lengthens = std::fabs(along_ray) * turn_along + std::fabs(across_ray) * turn_across;
+    const double changes = reach / least + (lengthens + turn * turn);
+    const double farthest = (ray + turn) * (natural_logarithm_of_2 / air.m_per_octave()) / least;
+    const double curves = std::min(farthest, one_over_e) * (changes * changes + turn * turn * 0.5);
+    const bool fits = least > 0.0 && curves <= planar_error;
+
+    const double inverse = fits ? middle : 1.0;
+    const double octaves = std::min(ray / (inverse * air.m_per_octave()), double{most_octaves});
+    const double scaled = static_cast<double>(light_left(static_cast<float>(octaves))) * intensity_one;
     const double steepness = scaled * octaves * -natural_logarithm_of_2;
-    const double grows_along = along_ray * rays.element_slope / square - p.along[k] / inverse;
-    const double grows_across = across_ray * rays.line_slope / square - p.across[k] / inverse;
+    const double grows_along = along_ray * rays.element_slope / (ray * ray) - p.along[k] / inverse;
+    const double grows_across = across_ray * rays.line_slope / (ray * ray) - p.across[k] / inverse;
     p.fits[k] = fits ? 1 : 0;
     p.value[k] = static_cast<std::int32_t>(floor_of(scaled + 0.5));
     p.value_along[k] = fits ? static_cast<std::int32_t>(floor_of(steepness * grows_along + 0.5)) : 0;
@@ -166,21 +177,28 @@ HWY_INLINE void WorkOut(const AirRays& rays, double m_per_octave, Planes& p, std
     const auto middle = hn::Add(hn::Add(Load(p.inverse, k), hn::Mul(line, across)), hn::Mul(element, along));
     const auto reach = hn::Add(hn::Mul(hn::Abs(along), elements), hn::Mul(hn::Abs(across), lines));
     const auto least = hn::Sub(middle, reach);
-    const auto turned = hn::Mul(hn::Add(hn::Mul(Set(std::fabs(rays.element_slope)), elements),
-                                        hn::Mul(Set(std::fabs(rays.line_slope)), lines)),
-                                Set(2.0));
-    const auto fits =
-        hn::And(hn::Gt(least, Set(0.0)),
-                hn::Le(hn::Mul(reach, Set(2.0)), hn::Mul(hn::Sub(Set(planar_change), turned), least)));
-    const auto inverse = hn::IfThenElse(fits, middle, Set(1.0));
     const auto along_ray = hn::Add(Set(rays.element_start), hn::Mul(Set(rays.element_slope), element));
     const auto across_ray = hn::Add(Set(rays.line_start), hn::Mul(Set(rays.line_slope), line));
-    const auto square =
-        hn::Add(hn::Add(Set(1.0), hn::Mul(along_ray, along_ray)), hn::Mul(across_ray, across_ray));
+    const auto ray =
+        hn::Sqrt(hn::Add(hn::Add(Set(1.0), hn::Mul(along_ray, along_ray)), hn::Mul(across_ray, across_ray)));
+    const auto turn_along = hn::Mul(Set(std::fabs(rays.element_slope)), elements);
+    const auto turn_across = hn::Mul(Set(std::fabs(rays.line_slope)), lines);
+    const auto turn = hn::Add(turn_along, turn_across);
+    const auto lengthens =
+        hn::Add(hn::Mul(hn::Abs(along_ray), turn_along), hn::Mul(hn::Abs(across_ray), turn_across));
+    const auto changes = hn::Add(hn::Div(reach, least), hn::Add(lengthens, hn::Mul(turn, turn)));
+    const auto farthest =
+        hn::Div(hn::Mul(hn::Add(ray, turn), Set(natural_logarithm_of_2 / m_per_octave)), least);
+    const auto curves = hn::Mul(hn::Min(farthest, Set(one_over_e)),
+                                hn::Add(hn::Mul(changes, changes), hn::Mul(hn::Mul(turn, turn), Set(0.5))));
+    const auto fits = hn::And(hn::Gt(least, Set(0.0)), hn::Le(curves, Set(planar_error)));
+
+    const auto inverse = hn::IfThenElse(fits, middle, Set(1.0));
     const auto octaves =
-        hn::Min(hn::Div(hn::Sqrt(square), hn::Mul(inverse, Set(m_per_octave))), Set(double{most_octaves}));
+        hn::Min(hn::Div(ray, hn::Mul(inverse, Set(m_per_octave))), Set(double{most_octaves}));
     const auto scaled = hn::Mul(LightLeft(octaves), Set(intensity_one));
     const auto steepness = hn::Mul(hn::Mul(scaled, octaves), Set(-natural_logarithm_of_2));
+    const auto square = hn::Mul(ray, ray);
     const auto grows_along =
         hn::Sub(hn::Div(hn::Mul(along_ray, Set(rays.element_slope)), square), hn::Div(along, inverse));
     const auto grows_across =

@@ -24,10 +24,8 @@ struct alignas(32) FaceAir {
     AirKind kind = AirKind::clear;
 };
 
-/// The range may change by this part of itself over a face's box, and its transmission still be a plane. Then t = exp(-x) is at
-/// most an eighth of 0.68 (1/8)^2, a third of a level, off the plane that touches it in the middle (the curvature is that of
-/// Air::little_change()).
-inline constexpr double planar_change = 0.125;
+/// A third of a level: what a plane of transmission may be off.
+inline constexpr double planar_error = 1.0 / 765.0;
 
 /// The air before each face; parallel to them. Nothing where the air is clear.
 void judge_air(const ProjectedFaces& projected, const FaceEdges& edges, const Air& air,
