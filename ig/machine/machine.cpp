@@ -46,6 +46,8 @@ struct BandCounts {
 
 /// Faces that make it worth while to share a channel's geometry among threads.
 constexpr std::uint64_t faces_worth_sharing = 512;
+/// And of a part to join faces and edges at the same time.
+constexpr std::size_t faces_worth_joining = 2048;
 
 /// What one thread needs to project a part of a channel's faces; the first part goes where the whole will stand.
 struct GeometryPart {
@@ -215,10 +217,7 @@ struct Machine::State {
                 make_edges(p == 0 ? channel.projected : part.projected, raster, configuration.edge_smoothing,
                            p == 0 ? channel.edges : part.edges);
             });
-            for (std::size_t p = 1; p < channel.cut.size(); ++p) {
-                append(channel.parts[p].projected, channel.projected);
-                append(channel.parts[p].edges, channel.edges);
-            }
+            join_parts(channel);
         });
         run(&StageTimes::lights_s,
             [&] { make_splats(channel.projected.lights, raster, band_lines, channel.splats); });
@@ -250,6 +249,25 @@ struct Machine::State {
         }
         fork_join(arena, static_cast<std::uint32_t>(channel.cut.size()),
                   [&](std::uint32_t p, std::uint32_t /*thread*/) { work(p, channel.parts[p]); });
+    }
+
+    /// Faces and edges of all parts behind the first ones': each of the two on a thread of its own, if there are many.
+    void join_parts(Channel& channel) {
+        const auto join = [&](std::uint32_t edges) {
+            for (std::size_t p = 1; p < channel.cut.size(); ++p) {
+                if (edges == 0) {
+                    append(channel.parts[p].projected, channel.projected);
+                } else {
+                    append(channel.parts[p].edges, channel.edges);
+                }
+            }
+        };
+        if (channel.cut.size() > 1 && channel.projected.faces.size() > faces_worth_joining) {
+            fork_join(arena, 2, [&](std::uint32_t edges, std::uint32_t /*thread*/) { join(edges); });
+        } else {
+            join(0);
+            join(1);
+        }
     }
 
     void make_the_water(const FramePacket& packet) {
