@@ -26,12 +26,15 @@ inline std::int32_t first_element(const Edge& edge, std::int32_t line) {
     return static_cast<std::int32_t>(static_cast<std::int64_t>(crossing) >> crossing_bits);
 }
 
+/// A plane's value at a pixel before it is clamped, modulo 2^32.
+inline std::uint32_t value_at(const IntensityPlane& plane, std::int32_t line, std::int32_t element) {
+    return plane.value + static_cast<std::uint32_t>(element - plane.reference_element) * plane.along +
+           static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
+}
+
 /// Intensity of a pixel, 1.0 = 2^22.
 inline std::int32_t intensity_at(const IntensityPlane& plane, std::int32_t line, std::int32_t element) {
-    const std::uint32_t value = plane.value +
-                                static_cast<std::uint32_t>(element - plane.reference_element) * plane.along +
-                                static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
-    const auto intensity = static_cast<std::int32_t>(value);
+    const auto intensity = static_cast<std::int32_t>(value_at(plane, line, element));
     return intensity < plane.least ? plane.least : intensity > plane.greatest ? plane.greatest : intensity;
 }
 

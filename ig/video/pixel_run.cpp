@@ -1,5 +1,6 @@
 #include "ig/video/pixel_run.h"
 
+#include "ig/edges/edges.h"
 #include "ig/prefetch.h"
 #include "ig/simd/simd_level.h"
 #include "ig/video/air_samples.h"
@@ -13,11 +14,6 @@
 #define LINKDIG_PLAIN_RUNS
 namespace linkdig::ig {
 namespace {
-
-std::uint32_t value_at(const IntensityPlane& plane, std::int32_t line, std::int32_t element) {
-    return plane.value + static_cast<std::uint32_t>(element - plane.reference_element) * plane.along +
-           static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
-}
 
 /// Each pixel of the runs by what `shaded` says of its line, element and intensity.
 template <typename Shaded>

@@ -1,5 +1,6 @@
 #include "ig/video/share_run.h"
 
+#include "ig/edges/edges.h"
 #include "ig/simd/simd_level.h"
 
 #include <algorithm>
@@ -9,11 +10,6 @@
 #define LINKDIG_SHARE_RUN_ONCE
 namespace linkdig::ig {
 namespace {
-
-std::uint32_t value_at(const IntensityPlane& plane, std::int32_t line, std::int32_t element) {
-    return plane.value + static_cast<std::uint32_t>(element - plane.reference_element) * plane.along +
-           static_cast<std::uint32_t>(line - plane.reference_line) * plane.across;
-}
 
 /// Runs of one face.
 struct Runs {
