@@ -52,9 +52,6 @@ Window trimmed(Window runs, Window some) {
     return kept;
 }
 
-/// Of 16 lanes the next one each; the last has itself.
-constexpr std::array<std::int32_t, 16> next_lanes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 15};
-
 /// The lines of the band that a face touches, a bit for each. There is one.
 [[maybe_unused]] std::uint32_t lines_of(const EdgeFace& face, const OpenBand& band) {
     const std::int32_t from = std::max(face.first_line, band.first_line) - band.first_line;
@@ -246,7 +243,9 @@ HWY_INLINE Covered Cover(const TracedFace& traced, std::size_t line, Reach reach
     const I32 d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const auto all = hn::Set(d, static_cast<std::int32_t>(whole_pixel));
-    const auto next_lane = hn::SetTableIndices(d, next_lanes.data());
+    // Of each lane the next one, of the last itself.
+    const auto next_lane =
+        hn::IndicesFromVec(d, hn::Min(hn::Add(hn::Iota(d, 0), hn::Set(d, 1)), hn::Set(d, lanes - 1)));
     const bool one_vector =
         reach.width() < lanes; // the last lane's next border is behind all edges, as its own is
     Covered covered;
