@@ -1,5 +1,7 @@
 #include "ig/video/beam.h"
 
+#include "ig/video/turn_lines.h"
+
 namespace linkdig::ig {
 
 namespace {
@@ -27,12 +29,12 @@ BeamBuffer::BeamBuffer(const Raster& raster, const BandSegments& band, std::vect
 void BeamBuffer::finish() const {
     settle_pixels(pixels_);
     if (!vertical_) return;
-    const std::size_t length = pixels_.length;
-    for (std::size_t row = 0; row < length - line_gap; ++row) {
-        std::uint32_t* out = frame_.pixels.data() + row * frame_.width + pixels_.first_line;
-        for (std::size_t line = 0; line < lines_; ++line)
-            out[line] = pixels_.start[line * length + row];
-    }
+    turn_lines({.pixels = pixels_.start,
+                .length = pixels_.length,
+                .lines = lines_,
+                .elements = pixels_.length - line_gap,
+                .picture = frame_.pixels.data() + pixels_.first_line,
+                .width = frame_.width});
 }
 
 } // namespace linkdig::ig
