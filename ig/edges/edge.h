@@ -24,6 +24,9 @@ struct Edge {
     std::int64_t slope = 0;
 };
 
+/// Fraction bits of an outline edge's position, 1/256 pixel.
+inline constexpr int outline_bits = 40;
+
 /// One edge of a face's outline, for areas instead of centres: its position at the border above line n, in
 /// 1/256 pixel, is (start + (n - first_border) * slope) >> 40. Horizontal edges bound no area and are left
 /// out.

@@ -136,9 +136,8 @@ HWY_INLINE void Put(Record& record, Each... words) {
 HWY_INLINE void WriteFace(const Batch& batch, std::size_t k, const ProjectedFace& face,
                           std::size_t edges_made, EdgeFace& made) {
     const bool additive = face.added_to >= 0;
-    const bool blends = additive || face.opacity < opaque || face.fade < opaque;
     Put(made, batch.sides[k] | static_cast<Word>(static_cast<std::uint32_t>(edges_made)),
-        batch.face_lines[k] | Word{blends} << 32 | Word{additive} << 40 | Word{face.opacity} << 48,
+        batch.face_lines[k] | Word{blends(face)} << 32 | Word{additive} << 40 | Word{face.opacity} << 48,
         Word{face.fade} | Word{face.level} << 32, batch.face_elements[k]);
 }
 

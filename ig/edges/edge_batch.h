@@ -24,6 +24,11 @@ inline constexpr std::int64_t crossing_to_start = (std::int64_t{1} << (crossing_
 /// are clamped to the corners' range.
 inline constexpr double plane_bound = 4611686018427387904.0;
 
+/// Do others show through it?
+inline bool blends(const ProjectedFace& face) {
+    return face.added_to >= 0 || face.opacity < opaque || face.fade < opaque;
+}
+
 /// Room for `more` edges behind those that are made.
 inline Edge* room_for_edges(FaceEdges& out, std::size_t edges_made, std::size_t more) {
     if (out.edges.size() < edges_made + more) out.edges.resize(edges_made + more);

@@ -99,7 +99,7 @@ EdgeFace face_without_edges(const ProjectedFace& face, std::size_t edges_made, s
     made.opacity = face.opacity;
     made.fade = face.fade;
     made.level = face.level;
-    made.blends = made.additive || face.opacity < opaque || face.fade < opaque;
+    made.blends = blends(face);
     return made;
 }
 

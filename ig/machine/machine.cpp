@@ -253,20 +253,21 @@ struct Machine::State {
 
     /// Faces and edges of all parts behind the first ones': each of the two on a thread of its own, if there are many.
     void join_parts(Channel& channel) {
-        const auto join = [&](std::uint32_t edges) {
-            for (std::size_t p = 1; p < channel.cut.size(); ++p) {
-                if (edges == 0) {
-                    append(channel.parts[p].projected, channel.projected);
-                } else {
-                    append(channel.parts[p].edges, channel.edges);
-                }
-            }
+        const auto join_faces = [&] {
+            for (std::size_t p = 1; p < channel.cut.size(); ++p)
+                append(channel.parts[p].projected, channel.projected);
+        };
+        const auto join_edges = [&] {
+            for (std::size_t p = 1; p < channel.cut.size(); ++p)
+                append(channel.parts[p].edges, channel.edges);
         };
         if (channel.cut.size() > 1 && channel.projected.faces.size() > faces_worth_joining) {
-            fork_join(arena, 2, [&](std::uint32_t edges, std::uint32_t /*thread*/) { join(edges); });
+            fork_join(arena, 2, [&](std::uint32_t piece, std::uint32_t /*thread*/) {
+                piece == 0 ? join_faces() : join_edges();
+            });
         } else {
-            join(0);
-            join(1);
+            join_faces();
+            join_edges();
         }
     }
 

@@ -7,7 +7,6 @@ namespace linkdig::ig {
 
 namespace {
 
-constexpr std::int32_t outline_bits = 40;
 constexpr auto whole = static_cast<std::int32_t>(whole_pixel);
 
 /// Where the edge crosses the border above `line`, 1/256 pixel.

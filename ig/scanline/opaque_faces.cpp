@@ -2,6 +2,7 @@
 #define LINKDIG_OPAQUE_FACES_ONCE
 #include "ig/scanline/opaque_faces.h"
 
+#include "ig/configuration.h"
 #include "ig/scanline/fetch_ahead.h"
 #include "ig/simd/simd_level.h"
 
@@ -19,7 +20,7 @@ static_assert(std::endian::native == std::endian::little && sizeof(Segment) == s
               offsetof(Segment, count) == count_shift / 8);
 
 /// Segments that one face can have in a band at the most, and room for a vector behind them.
-constexpr std::size_t most_segments = std::size_t{band_lines} * 4096 / 2 + 8;
+constexpr std::size_t most_segments = std::size_t{band_lines} * max_raster_side / 2 + 8;
 
 } // namespace
 } // namespace linkdig::ig
@@ -217,12 +218,6 @@ private:
     W taken_, segments_, numbers_;
 };
 
-/// The lines of the band, [from, to), that a face touches.
-struct LineRange {
-    std::size_t from = 0;
-    std::size_t to = 0;
-};
-
 /// Takes the lines of a face whose elements all lie in a window of 64; returns the end of its segments.
 HWY_INLINE Segment* TakeNarrow(const EdgeFace& face, const Edge* edges, const LineRange& range,
                                OpenBand& band, BandSegments& out, Segment* next) {
@@ -263,9 +258,8 @@ HWY_INLINE Segment* TakeFace(const EdgeFace& face, const Edge* edges, OpenBand& 
                              Segment* next) {
     if (face.first_element >= face.end_element) return next;
     const std::size_t lanes = hn::Lanes(I64());
-    const auto from = static_cast<std::size_t>(std::max(face.first_line, band.first_line) - band.first_line);
-    const auto to = static_cast<std::size_t>(std::min(face.end_line, band.end_line) - band.first_line);
-    const LineRange range{from / lanes * lanes, to};
+    const LineRange lines = band.lines_of(face);
+    const LineRange range{lines.from / lanes * lanes, lines.to};
     return face.end_element - face.first_element <= static_cast<std::int32_t>(word_bits)
                ? TakeNarrow(face, edges, range, band, out, next)
                : TakeWide(face, edges, range, band, out, next);

@@ -116,31 +116,27 @@ private:
         const Edge* edges = edges_.edges.data() + face_->first_edge;
         cross(edges, face_->leading, scratch_.begin);
         cross(edges + face_->leading, face_->trailing, scratch_.end);
-        const std::int32_t from = std::max(face_->first_line, first_line_) - first_line_;
-        const std::int32_t to = std::min(face_->end_line, end_line_) - first_line_;
-        for (std::int32_t line = from; line < to; ++line) {
-            const auto l = static_cast<std::size_t>(line);
-            if (scratch_.begin[l] >= scratch_.end[l]) continue;
-            const auto begin = static_cast<std::uint32_t>(scratch_.begin[l]);
-            const auto end = static_cast<std::uint32_t>(scratch_.end[l]);
+        const LineRange lines = band_.lines_of(*face_);
+        for (std::size_t line = lines.from; line < lines.to; ++line) {
+            if (scratch_.begin[line] >= scratch_.end[line]) continue;
+            const auto begin = static_cast<std::uint32_t>(scratch_.begin[line]);
+            const auto end = static_cast<std::uint32_t>(scratch_.end[line]);
             if (face_->blends) {
-                share_evenly(l, begin, end);
+                share_evenly(line, begin, end);
             } else {
-                take(l, begin, end);
+                take(line, begin, end);
             }
         }
     }
 
     void put_by_area() {
-        const std::int32_t from = std::max(face_->first_line, first_line_) - first_line_;
-        const std::int32_t to = std::min(face_->end_line, end_line_) - first_line_;
-        if (from >= to) return;
+        const LineRange range = band_.lines_of(*face_);
         if (!many_at_once_ || face_->blends || face_->outlines > most_outlines) {
-            for (std::int32_t line = from; line < to; ++line)
-                put_line_by_area(static_cast<std::size_t>(line));
+            for (std::size_t line = range.from; line < range.to; ++line)
+                put_line_by_area(line);
             return;
         }
-        if (!any_open_in_box(static_cast<std::size_t>(from), static_cast<std::size_t>(to))) return;
+        if (!any_open_in_box(range)) return;
         sharing_ = true;
         LinesLeft& left = scratch_.lines_left;
         put_smoothed_lines(edges_, rank_,
@@ -166,12 +162,12 @@ private:
     }
 
     /// Is anything open in the face's box?
-    bool any_open_in_box(std::size_t from, std::size_t to) const {
+    bool any_open_in_box(const LineRange& range) const {
         const auto first = static_cast<std::uint32_t>(face_->first_element);
         const auto end = static_cast<std::uint32_t>(face_->end_element);
         for (std::uint32_t word = first / word_bits; word * word_bits < end; ++word) {
             std::uint64_t open = 0;
-            for (std::size_t line = from; line < to; ++line)
+            for (std::size_t line = range.from; line < range.to; ++line)
                 open |= band_.open[word].of_line[line];
             if ((open & bits_between(word, first, end)) != 0) return true;
         }

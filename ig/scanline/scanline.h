@@ -32,7 +32,7 @@ struct BandScratch {
     std::array<std::int32_t, band_lines> end{};
     OutlineLine traced;
     LineCoverage coverage;
-    LinesLeft lines_left; ///< likewise
+    LinesLeft lines_left;
 };
 
 /// Resolves the lines [segments.first_line, segments.end_line), at most band_lines, for the faces of these ranks. With

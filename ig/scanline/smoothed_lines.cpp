@@ -52,11 +52,9 @@ Window trimmed(Window runs, Window some) {
     return kept;
 }
 
-/// The lines of the band that a face touches, a bit for each. There is one.
-[[maybe_unused]] std::uint32_t lines_of(const EdgeFace& face, const OpenBand& band) {
-    const std::int32_t from = std::max(face.first_line, band.first_line) - band.first_line;
-    const std::int32_t to = std::min(face.end_line, band.end_line) - band.first_line;
-    return ~0U << static_cast<std::uint32_t>(from) & ~0U >> static_cast<std::uint32_t>(32 - to);
+/// A bit for each of the lines; there is one.
+[[maybe_unused]] std::uint32_t bits_of(const LineRange& lines) {
+    return ~0U << lines.from & ~0U >> (band_lines - lines.to);
 }
 
 /// Where the edges of one side run on the band's lines: the elements that they cross, and the height of the line that they span.
@@ -119,7 +117,6 @@ using U64 = hn::Rebind<std::uint64_t, I64>;
 using L32 = hn::Rebind<std::int32_t, I64>; ///< a line in each lane
 
 HWY_INLINE hn::Vec<L32> Position(hn::Vec<I64> at) {
-    constexpr int outline_bits = 40;
     const auto whole = hn::BitCast(U64(), hn::ShiftRight<outline_bits>(at));
     return hn::BitCast(L32(), hn::TruncateTo(hn::Rebind<std::uint32_t, I64>(), whole));
 }
@@ -246,8 +243,7 @@ HWY_INLINE Covered Cover(const TracedFace& traced, std::size_t line, Reach reach
     // Of each lane the next one, of the last itself.
     const auto next_lane =
         hn::IndicesFromVec(d, hn::Min(hn::Add(hn::Iota(d, 0), hn::Set(d, 1)), hn::Set(d, lanes - 1)));
-    const bool one_vector =
-        reach.width() < lanes; // the last lane's next border is behind all edges, as its own is
+    const bool one_vector = reach.width() < lanes; // then each element's next border is in the next lane
     Covered covered;
     for (std::int32_t k = 0; k < reach.width(); k += lanes) {
         const auto x = hn::ShiftLeft<8>(hn::Add(hn::Iota(d, 0), hn::Set(d, reach.begin + k)));
@@ -324,6 +320,14 @@ struct Sides {
     bool apart = false; ///< each of them spans the whole line, and the one ends before the other begins
 };
 
+/// The same, if there are any, of elements that need not have been shared before.
+HWY_INLINE void PutNewShares(const Areas& areas, Window mine, std::uint32_t first, std::uint32_t rank,
+                             SmoothedLine& line, BandSegments& band) {
+    if (mine == 0) return;
+    or_bits(line.shared, first, mine);
+    PutShares(areas, mine, first, rank, line, band);
+}
+
 /// A line on which the face lies in one window.
 HWY_INLINE void PutNarrow(const TracedFace& traced, const Sides& sides, Reach reach, std::uint32_t rank,
                           SmoothedLine& line, BandSegments& band) {
@@ -333,10 +337,7 @@ HWY_INLINE void PutNarrow(const TracedFace& traced, const Sides& sides, Reach re
     alignas(64) Areas areas;
     const Covered covered = Cover(traced, line.index, reach, 0, areas);
     if (!sides.apart) {
-        if (const Window shared = trimmed(open, covered.some); shared != 0) {
-            or_bits(line.shared, first, shared);
-            PutShares(areas, shared, first, rank, line, band);
-        }
+        PutNewShares(areas, trimmed(open, covered.some), first, rank, line, band);
         return;
     }
     const Window partly = open & ~covered.whole, wholly = open & covered.whole;
@@ -344,10 +345,7 @@ HWY_INLINE void PutNarrow(const TracedFace& traced, const Sides& sides, Reach re
     const Window ends = window_bits(sides.trailing.begin, sides.trailing.end, reach.begin);
     const Window rests = wholly == 0 ? 0 : wholly & window_at(line.shared, first); // what others have left
     const Window newly = trimmed(partly & begins, covered.some) | trimmed(partly & ends, covered.some);
-    if ((newly | rests) != 0) {
-        or_bits(line.shared, first, newly);
-        PutShares(areas, newly | rests, first, rank, line, band);
-    }
+    PutNewShares(areas, newly | rests, first, rank, line, band);
     PutAlone(wholly ^ rests, first, line, band);
 }
 
@@ -359,10 +357,7 @@ HWY_INLINE Window PutSide(const TracedFace& traced, Reach reach, std::int32_t si
     const Covered covered = Cover(traced, line.index, reach, side, areas);
     const Window all = window_bits(reach.begin, reach.end, reach.begin);
     const Window open = window_at(line.open, first) & all & ~covered.whole;
-    if (const Window shared = trimmed(open, covered.some); shared != 0) {
-        or_bits(line.shared, first, shared);
-        PutShares(areas, shared, first, rank, line, band);
-    }
+    PutNewShares(areas, trimmed(open, covered.some), first, rank, line, band);
     return covered.whole & all;
 }
 
@@ -387,8 +382,7 @@ void PutSmoothedLines(const FaceEdges& edges, std::uint32_t rank, const Smoothed
     const EdgeFace& face = edges.faces[rank];
     OpenBand& band = *smoothed.open;
     const std::size_t lanes = hn::Lanes(L32());
-    const auto from = static_cast<std::size_t>(std::max(face.first_line, band.first_line) - band.first_line);
-    const auto to = static_cast<std::size_t>(std::min(face.end_line, band.end_line) - band.first_line);
+    const auto [from, to] = band.lines_of(face);
     TracedFace traced; // not written: what is read is traced first
     TraceFace(edges, face, band.first_line, from / lanes * lanes, to, traced);
     left.whole = left.wide = 0;
@@ -425,7 +419,7 @@ void PutSmoothedLines(const FaceEdges& edges, std::uint32_t rank, const Smoothed
 void PutSmoothedLines(const FaceEdges& edges, std::uint32_t rank, const SmoothedBand& smoothed,
                       BandSegments& /*out*/, LinesLeft& left) {
     left.whole = 0;
-    left.wide = lines_of(edges.faces[rank], *smoothed.open);
+    left.wide = bits_of(smoothed.open->lines_of(edges.faces[rank]));
 }
 
 #endif

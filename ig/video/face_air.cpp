@@ -13,7 +13,6 @@
 namespace linkdig::ig {
 namespace {
 
-constexpr double natural_logarithm_of_2 = 0.69314718055994531;
 constexpr double one_over_e = 0.36787944117144232;
 
 /// A face's box in the raster: its middle pixel, and how far the others are from that at most.

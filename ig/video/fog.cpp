@@ -5,12 +5,6 @@
 
 namespace linkdig::ig {
 
-namespace {
-
-constexpr double natural_logarithm_of_2 = 0.69314718055994531;
-
-} // namespace
-
 void Air::prepare(const PictureScale& scale, const Raster& raster, double visibility_m, Colour horizon) {
     visibility_m_ = visibility_m;
     horizon_ = horizon;

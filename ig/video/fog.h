@@ -22,6 +22,7 @@
 namespace linkdig::ig {
 
 inline constexpr double extinction_at_visibility = 2.996;
+inline constexpr double natural_logarithm_of_2 = 0.69314718055994531;
 /// Transmission 1.0: 15 bits, as intensities have in the inner loop.
 inline constexpr std::int32_t transmission_one = 32767;
 

@@ -513,25 +513,14 @@ namespace linkdig::ig {
 
 namespace {
 
-HWY_EXPORT(ShadeRuns);
 HWY_EXPORT(FillRuns);
 HWY_EXPORT(ShadeFaces);
-HWY_EXPORT(ShadeRunsInHaze);
 HWY_EXPORT(ShadeRunsInAir);
 
 } // namespace
 
 void settle_pixels(const BandPixels& pixels) {
     if (pixels.past_caches) hwy::FlushStream();
-}
-
-void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segment> runs,
-                const BandPixels& pixels) {
-    if (simd_is_off()) {
-        shade_plainly(plane, colour, runs, pixels);
-    } else {
-        HWY_DYNAMIC_DISPATCH(ShadeRuns)(plane, colour, runs.data(), runs.size(), pixels);
-    }
 }
 
 std::size_t shade_faces(const BandFaces& faces, std::size_t from, const BandPixels& pixels) {
@@ -544,16 +533,6 @@ void fill_runs(std::uint32_t pixel, std::span<const Segment> runs, const BandPix
         fill_plainly(pixel, runs, pixels);
     } else {
         HWY_DYNAMIC_DISPATCH(FillRuns)(pixel, runs.data(), runs.size(), pixels);
-    }
-}
-
-void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, const IntensityPlane& transmission,
-                        Colour horizon, std::span<const Segment> runs, const BandPixels& pixels) {
-    if (simd_is_off()) {
-        shade_plainly_in_haze(plane, colour, transmission, horizon, runs, pixels);
-    } else {
-        HWY_DYNAMIC_DISPATCH(ShadeRunsInHaze)
-        (plane, colour, transmission, horizon, runs.data(), runs.size(), pixels);
     }
 }
 

@@ -45,10 +45,6 @@ struct BandPixels {
 /// What was written past the caches is seen by whoever comes after.
 void settle_pixels(const BandPixels& pixels);
 
-/// Shades runs of one face.
-void shade_runs(const IntensityPlane& plane, Colour colour, std::span<const Segment> runs,
-                const BandPixels& pixels);
-
 /// Gives all pixels of the runs this value.
 void fill_runs(std::uint32_t pixel, std::span<const Segment> runs, const BandPixels& pixels);
 
@@ -95,10 +91,6 @@ inline std::uint32_t shade_through_air(Colour colour, std::int32_t intensity, st
     return (seen.red + 64U) >> 7U | (seen.green + 64U) >> 7U << 8U | (seen.blue + 64U) >> 7U << 16U |
            0xff000000U;
 }
-
-/// Shades runs of one face through air whose transmission is a plane as its intensity is, 1.0 = 2^22.
-void shade_runs_in_haze(const IntensityPlane& plane, Colour colour, const IntensityPlane& transmission,
-                        Colour horizon, std::span<const Segment> runs, const BandPixels& pixels);
 
 /// Shades runs of one face whose range is taken at every pixel, or every few where it changes little (air_samples.h).
 void shade_runs_in_air(const IntensityPlane& plane, Colour colour, const DepthPlane& depth, const Air& air,

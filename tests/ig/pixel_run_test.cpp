@@ -44,7 +44,10 @@ TEST(PixelRun, EveryLevelGivesTheSameBytes) {
             const auto count = static_cast<std::uint32_t>(seed % 131);
             std::vector<std::uint32_t> pixels(count + 1, 0x12345678U);
             const Segment run{7, 11, static_cast<std::uint16_t>(count)};
-            shade_runs(plane, colour, {&run, 1}, {pixels.data() - 11, 7, 0});
+            const FaceSegments face{0, 1};
+            const FaceShading shading{.plane = plane};
+            shade_faces({{&face, 1}, {&run, 1}, {&shading, 1}, {&colour, 1}, {}, {}}, 0,
+                        {pixels.data() - 11, 7, 0});
             for (std::uint32_t k = 0; k < count; ++k) {
                 const std::int32_t intensity = intensity_at(plane, 7, 11 + static_cast<std::int32_t>(k));
                 ASSERT_EQ(pixels[k], shade(colour, intensity)) << level << " seed " << seed << " pixel " << k;
